@@ -1,0 +1,9 @@
+//! Chereme: a sign written as phonological components becomes signing motion.
+//!
+//! See docs/ARCHITECTURE.md for the map and docs/DESIGN.md for the decisions.
+
+pub mod diagnostics;
+pub mod motion;
+pub mod tier;
+pub mod time;
+pub mod track;

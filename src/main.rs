@@ -1,0 +1,2 @@
+//! The `chereme` program.
+fn main() {}

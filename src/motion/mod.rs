@@ -1,0 +1,13 @@
+//! Skeletons, poses and clips, and the mathematics of moving between them.
+//!
+//! Nothing here knows what a sign is.
+//!
+//! # Conventions
+//! Right-handed, Y up, the signer faces +Z and the signer's left is +X. Metres, seconds, radians.
+//! *Local* rotations are relative to the parent joint; *model* positions and rotations are relative
+//! to the floor between the feet. The two are different types ([`pose::LocalPose`], [`pose::ModelPose`]).
+
+pub mod clip;
+pub mod easing;
+pub mod pose;
+pub mod skeleton;

@@ -1,0 +1,168 @@
+//! The rig: joints, their parents and where they rest.
+//!
+//! # Conventions
+//! The rest pose is a T-pose with identity rotations, so a joint's rest placement is a translation
+//! from its parent. Parents come before their children.
+
+use crate::diagnostics::Error;
+use glam::DVec3;
+use serde::Deserialize;
+use std::collections::HashMap;
+
+/// The number of a joint in its [`Skeleton`].
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct JointId(pub u16);
+
+impl JointId {
+    /// The joint's position in arrays with one element a joint.
+    pub fn index(self) -> usize {
+        self.0 as usize
+    }
+}
+
+/// A joint at rest.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Joint {
+    /// Mixamo's name without prefix, such as `LeftForeArm`.
+    pub name: String,
+    /// The parent; `None` for the root alone.
+    pub parent: Option<JointId>,
+    /// Position at rest, model space, metres.
+    pub rest_model: DVec3,
+    /// Where the bone ends at rest (the fingertip, for a last finger joint), model space, metres.
+    pub tail_model: DVec3,
+}
+
+/// A checked rig: one root, parents before children, names unique, finite positions.
+#[derive(Debug, Clone)]
+pub struct Skeleton {
+    joints: Vec<Joint>,
+    by_name: HashMap<String, JointId>,
+}
+
+#[derive(Deserialize)]
+struct JointRow {
+    parent: Option<String>,
+    pos: [f64; 3],
+    tail: [f64; 3],
+}
+
+impl Skeleton {
+    /// Reads the rig from `avatar.skeleton.json`: `{name: {parent, pos, tail}}`, metres, parents anywhere.
+    ///
+    /// # Errors
+    /// Text that is not such JSON, an unknown or cyclic parent, no root or several, a position that is not finite.
+    pub fn from_json(text: &str) -> Result<Skeleton, Error> {
+        let rows: OrderedRows =
+            serde_json::from_str(text).map_err(|e| Error::new(format!("the skeleton is not as expected: {e}")))?;
+        let mut joints: Vec<Joint> = Vec::with_capacity(rows.0.len());
+        let mut by_name = HashMap::new();
+        let mut left = rows.0;
+        // Each pass places the joints whose parents are placed; a pass that places none has met a cycle.
+        while !left.is_empty() {
+            let before = left.len();
+            let mut later = Vec::new();
+            for (name, row) in left {
+                let parent = match &row.parent {
+                    None => None,
+                    Some(p) => match by_name.get(p) {
+                        Some(&id) => Some(id),
+                        None => {
+                            later.push((name, row));
+                            continue;
+                        }
+                    },
+                };
+                let id = u16::try_from(joints.len()).map(JointId).map_err(|_| Error::new("too many joints"))?;
+                if by_name.insert(name.clone(), id).is_some() {
+                    return Err(Error::new(format!("joint {name} is listed twice")));
+                }
+                let joint =
+                    Joint { name, parent, rest_model: DVec3::from(row.pos), tail_model: DVec3::from(row.tail) };
+                if !(joint.rest_model.is_finite() && joint.tail_model.is_finite()) {
+                    return Err(Error::new(format!("joint {} has a position that is not finite", joint.name)));
+                }
+                joints.push(joint);
+            }
+            if later.len() == before {
+                let (name, row) = &later[0];
+                let parent = row.parent.as_deref().unwrap_or_default();
+                return Err(Error::new(format!("joint {name} hangs from {parent}, which is unknown or hangs from it")));
+            }
+            left = later;
+        }
+        match joints.iter().filter(|j| j.parent.is_none()).count() {
+            1 => Ok(Skeleton { joints, by_name }),
+            n => Err(Error::new(format!("a skeleton has one root, this one has {n}"))),
+        }
+    }
+
+    /// The joints, parents before children.
+    pub fn joints(&self) -> &[Joint] {
+        &self.joints
+    }
+
+    /// How many joints there are.
+    pub fn len(&self) -> usize {
+        self.joints.len()
+    }
+
+    /// Whether there is no joint (never, for a checked skeleton).
+    pub fn is_empty(&self) -> bool {
+        self.joints.is_empty()
+    }
+
+    /// A joint by its name.
+    pub fn find(&self, name: &str) -> Option<JointId> {
+        self.by_name.get(name).copied()
+    }
+
+    /// A joint by its name.
+    ///
+    /// # Errors
+    /// Names the joint that the rig lacks.
+    pub fn joint(&self, name: &str) -> Result<JointId, Error> {
+        self.find(name).ok_or_else(|| Error::new(format!("the rig has no joint {name}")))
+    }
+
+    /// All joint numbers, parents before children.
+    pub fn ids(&self) -> impl Iterator<Item = JointId> + use<> {
+        (0..self.joints.len() as u16).map(JointId)
+    }
+
+    /// Translation from the parent at rest (from the origin, for the root), metres.
+    pub fn offset(&self, joint: JointId) -> DVec3 {
+        let j = &self.joints[joint.index()];
+        j.rest_model - j.parent.map_or(DVec3::ZERO, |p| self.joints[p.index()].rest_model)
+    }
+}
+
+impl std::ops::Index<JointId> for Skeleton {
+    type Output = Joint;
+    fn index(&self, id: JointId) -> &Joint {
+        &self.joints[id.index()]
+    }
+}
+
+/// A JSON object read in the order it is written, so that joint numbers follow the file.
+struct OrderedRows(Vec<(String, JointRow)>);
+
+impl<'de> Deserialize<'de> for OrderedRows {
+    fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct Visitor;
+        impl<'de> serde::de::Visitor<'de> for Visitor {
+            type Value = OrderedRows;
+            fn expecting(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
+                f.write_str("an object of joints")
+            }
+            fn visit_map<A: serde::de::MapAccess<'de>>(self, mut map: A) -> Result<OrderedRows, A::Error> {
+                let mut rows = Vec::new();
+                while let Some(entry) = map.next_entry()? {
+                    rows.push(entry);
+                }
+                Ok(OrderedRows(rows))
+            }
+        }
+        deserializer.deserialize_map(Visitor)
+    }
+}

@@ -1,0 +1,23 @@
+//! The sign gesture track: motion and the tiers that say what it is.
+
+use crate::motion::clip::Clip;
+use crate::tier::Tier;
+
+/// A clip with its tiers; what `synthesis` makes, `format` writes and `dance` moves to music.
+///
+/// Tiers are named `RH`/`LH` × Gloss, Phase, Configuration, Placement, Orientation, Movement, plus
+/// Contact, Head, Torso, Gaze, Brows, Mouth where a sign has them.
+#[derive(Debug, Clone)]
+pub struct Track {
+    /// The motion.
+    pub clip: Clip,
+    /// What the motion means, in the order they are shown.
+    pub tiers: Vec<Tier>,
+}
+
+impl Track {
+    /// The tier of that name, if there is one.
+    pub fn tier(&self, name: &str) -> Option<&Tier> {
+        self.tiers.iter().find(|t| t.name == name)
+    }
+}
