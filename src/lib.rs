@@ -4,6 +4,7 @@
 
 pub mod diagnostics;
 pub mod motion;
+pub mod phonology;
 pub mod tier;
 pub mod time;
 pub mod track;

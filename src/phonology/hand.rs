@@ -1,0 +1,280 @@
+//! Hands and the points on them that touch and are touched.
+
+use std::fmt;
+
+/// A hand by its role in the description.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Hand {
+    /// The dominant hand: the right one of a right-handed signer.
+    Strong,
+    /// The other hand.
+    Weak,
+}
+
+impl Hand {
+    /// Both, the strong one first.
+    pub const BOTH: [Hand; 2] = [Hand::Strong, Hand::Weak];
+
+    /// The other hand.
+    pub fn other(self) -> Hand {
+        match self {
+            Hand::Strong => Hand::Weak,
+            Hand::Weak => Hand::Strong,
+        }
+    }
+}
+
+/// A side of the signer.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Side {
+    /// The signer's left, +X.
+    Left,
+    /// The signer's right, −X.
+    Right,
+}
+
+impl Side {
+    /// The other side.
+    pub fn other(self) -> Side {
+        match self {
+            Side::Left => Side::Right,
+            Side::Right => Side::Left,
+        }
+    }
+
+    /// +1 for left, −1 for right: the sign of X on that side.
+    pub fn sign(self) -> f64 {
+        match self {
+            Side::Left => 1.0,
+            Side::Right => -1.0,
+        }
+    }
+}
+
+/// A finger or the thumb.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Digit {
+    /// Digit 1.
+    Thumb,
+    /// Digit 2.
+    Index,
+    /// Digit 3.
+    Middle,
+    /// Digit 4.
+    Ring,
+    /// Digit 5.
+    Pinky,
+}
+
+impl Digit {
+    /// From the thumb to the little finger.
+    pub const ALL: [Digit; 5] = [Digit::Thumb, Digit::Index, Digit::Middle, Digit::Ring, Digit::Pinky];
+    /// The four fingers without the thumb.
+    pub const FINGERS: [Digit; 4] = [Digit::Index, Digit::Middle, Digit::Ring, Digit::Pinky];
+
+    /// The name in text.
+    pub fn name(self) -> &'static str {
+        match self {
+            Digit::Thumb => "thumb",
+            Digit::Index => "index",
+            Digit::Middle => "middle",
+            Digit::Ring => "ring",
+            Digit::Pinky => "pinky",
+        }
+    }
+}
+
+/// A set of digits, written from the thumb to the little finger.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+pub struct Digits(u8);
+
+impl Digits {
+    /// No digit.
+    pub const NONE: Digits = Digits(0);
+    /// The four fingers.
+    pub const FINGERS: Digits = Digits(0b11110);
+
+    /// A set of digits.
+    pub fn of(digits: impl IntoIterator<Item = Digit>) -> Digits {
+        Digits(digits.into_iter().fold(0, |bits, d| bits | 1 << d as u8))
+    }
+
+    /// Whether the digit is in the set.
+    pub fn contains(self, digit: Digit) -> bool {
+        self.0 & (1 << digit as u8) != 0
+    }
+
+    /// Whether the set is empty.
+    pub fn is_empty(self) -> bool {
+        self.0 == 0
+    }
+
+    /// The digits, from the thumb to the little finger.
+    pub fn iter(self) -> impl Iterator<Item = Digit> {
+        Digit::ALL.into_iter().filter(move |d| self.contains(*d))
+    }
+}
+
+/// A part of a hand or of an arm that can touch or be touched (HamNoSys U+E060–U+E07A).
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum HandPart {
+    /// The end of a digit.
+    Tip,
+    /// The nail of a digit.
+    Nail,
+    /// The soft side of a digit's last phalanx.
+    Pad,
+    /// The back of a digit's middle joint.
+    Midjoint,
+    /// The knuckle.
+    Base,
+    /// The flank of a digit; which one is said by [`Flank`].
+    Side,
+    /// The middle of the palm.
+    Palm,
+    /// The middle of the back of the hand.
+    Back,
+    /// The edge of the hand on the thumb's side.
+    ThumbSide,
+    /// The edge of the hand on the little finger's side.
+    PinkySide,
+    /// The ball of the thumb.
+    ThumbBall,
+    /// The wrist, on the back of the hand's side.
+    WristBack,
+    /// The wrist, where the pulse is felt.
+    WristPulse,
+    /// The middle of the forearm.
+    LowerArm,
+    /// The point of the elbow.
+    Elbow,
+    /// The crook of the elbow.
+    ElbowInside,
+    /// The middle of the upper arm.
+    UpperArm,
+}
+
+impl HandPart {
+    /// Parts that belong to a digit.
+    pub const OF_A_DIGIT: [HandPart; 6] =
+        [HandPart::Tip, HandPart::Nail, HandPart::Pad, HandPart::Midjoint, HandPart::Base, HandPart::Side];
+    /// Parts of the whole hand and of the arm.
+    pub const OF_THE_LIMB: [HandPart; 11] = [
+        HandPart::Palm,
+        HandPart::Back,
+        HandPart::ThumbSide,
+        HandPart::PinkySide,
+        HandPart::ThumbBall,
+        HandPart::WristBack,
+        HandPart::WristPulse,
+        HandPart::LowerArm,
+        HandPart::Elbow,
+        HandPart::ElbowInside,
+        HandPart::UpperArm,
+    ];
+
+    /// Whether the part belongs to a digit.
+    pub fn needs_digit(self) -> bool {
+        HandPart::OF_A_DIGIT.contains(&self)
+    }
+
+    /// The name in text.
+    pub fn name(self) -> &'static str {
+        match self {
+            HandPart::Tip => "tip",
+            HandPart::Nail => "nail",
+            HandPart::Pad => "pad",
+            HandPart::Midjoint => "midjoint",
+            HandPart::Base => "base",
+            HandPart::Side => "side",
+            HandPart::Palm => "palm",
+            HandPart::Back => "back",
+            HandPart::ThumbSide => "thumb-side",
+            HandPart::PinkySide => "pinky-side",
+            HandPart::ThumbBall => "thumb-ball",
+            HandPart::WristBack => "wrist-back",
+            HandPart::WristPulse => "wrist-pulse",
+            HandPart::LowerArm => "lower-arm",
+            HandPart::Elbow => "elbow",
+            HandPart::ElbowInside => "elbow-inside",
+            HandPart::UpperArm => "upper-arm",
+        }
+    }
+}
+
+/// Which face of a digit or of a limb (HamNoSys's dorsal, palmar and side modifiers).
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Flank {
+    /// The thumb's side.
+    Radial,
+    /// The little finger's side.
+    Ulnar,
+    /// The back of the hand's side.
+    Dorsal,
+    /// The palm's side.
+    Palmar,
+}
+
+impl Flank {
+    /// All four.
+    pub const ALL: [Flank; 4] = [Flank::Radial, Flank::Ulnar, Flank::Dorsal, Flank::Palmar];
+
+    /// The name in text.
+    pub fn name(self) -> &'static str {
+        match self {
+            Flank::Radial => "radial",
+            Flank::Ulnar => "ulnar",
+            Flank::Dorsal => "dorsal",
+            Flank::Palmar => "palmar",
+        }
+    }
+}
+
+/// A point of a hand or arm: part, digits where the part needs them (several: their middle), face.
+///
+/// Written `index tip`, `index middle pad`, `radial index side`, `palm`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub struct HandPoint {
+    digits: Digits,
+    part: HandPart,
+    flank: Option<Flank>,
+}
+
+impl HandPoint {
+    /// A point; `None` where a part of a digit has no digit, or a part of the limb has one.
+    pub fn new(digits: Digits, part: HandPart, flank: Option<Flank>) -> Option<HandPoint> {
+        (part.needs_digit() != digits.is_empty()).then_some(HandPoint { digits, part, flank })
+    }
+
+    /// A part of one digit.
+    pub fn of_digit(digit: Digit, part: HandPart) -> Option<HandPoint> {
+        HandPoint::new(Digits::of([digit]), part, None)
+    }
+
+    /// The digits; empty for parts of the whole limb.
+    pub fn digits(self) -> Digits {
+        self.digits
+    }
+
+    /// The part.
+    pub fn part(self) -> HandPart {
+        self.part
+    }
+
+    /// The face, where stated.
+    pub fn flank(self) -> Option<Flank> {
+        self.flank
+    }
+}
+
+impl fmt::Display for HandPoint {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if let Some(flank) = self.flank {
+            write!(f, "{} ", flank.name())?;
+        }
+        for digit in self.digits.iter() {
+            write!(f, "{} ", digit.name())?;
+        }
+        f.write_str(self.part.name())
+    }
+}

@@ -1,0 +1,31 @@
+//! The phonology of signs: hand configuration, placement, orientation, movement, non-manuals.
+//!
+//! One model for every notation. It was shaped with the whole of HamNoSys 4 at hand, so that reading
+//! HamNoSys or SiGML adds a reader and not a second model.
+//!
+//! # Conventions
+//! Hands are *strong* (dominant) and *weak*; *left* and *right*, *up*, *out* are the signer's. Sizes are
+//! metres, angles radians, as everywhere inside the program. Names of handshapes, places and
+//! non-manual values are data (`grammar/`); what code branches on is a closed enum.
+//!
+//! This module knows no rig and no frames.
+
+pub mod configuration;
+pub mod direction;
+pub mod hand;
+pub mod movement;
+pub mod nonmanual;
+pub mod orientation;
+pub mod placement;
+pub mod sign;
+
+pub use configuration::{Bend, Configuration, HandshapeChange, ThumbPosition};
+pub use direction::{Direction, Heading};
+pub use hand::{Digit, Digits, Flank, Hand, HandPart, HandPoint, Side};
+pub use movement::{
+    Action, Clock, Extent, Manner, Motion, Movement, Overlay, Repetition, RepetitionKind, Size, WristMotion,
+};
+pub use nonmanual::{Amount, Channel, NonManual, NonManualValue};
+pub use orientation::Orientation;
+pub use placement::{Contact, ContactKind, Distance, Lateral, Place, Placement, Space};
+pub use sign::{Hands, Keys, Manual, Relation, Sign, Symmetry};

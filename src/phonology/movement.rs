@@ -1,0 +1,239 @@
+//! Hand movement: primitives, paths to places, and how they combine and repeat.
+
+use super::direction::{Direction, Heading};
+use super::hand::Digits;
+use super::placement::Placement;
+use crate::time::Seconds;
+
+/// The movement of one interval between two keys.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Movement {
+    /// One movement.
+    Action(Box<Action>),
+    /// One after the other within the interval (HamNoSys `hamseqbegin`).
+    Sequence(Vec<Movement>),
+    /// At the same time: `while` (HamNoSys `hamparbegin`).
+    Together(Vec<Movement>),
+    /// Blended into one (HamNoSys `hamfusionbegin`).
+    Fused(Vec<Movement>),
+}
+
+/// One movement with everything that may be said of it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Action {
+    /// What moves, and how.
+    pub motion: Motion,
+    /// The place reached.
+    pub target: Option<Placement>,
+    /// A place brushed on the way (HamNoSys `hambrushing`).
+    pub brushing: Option<Placement>,
+    /// The manner, each at most once.
+    pub manner: Vec<Manner>,
+    /// How it repeats.
+    pub repetition: Option<Repetition>,
+    /// How long one performance lasts.
+    pub duration: Option<Seconds>,
+    /// The two hands take turns (HamNoSys `hamalternatingmotion`).
+    pub alternating: bool,
+}
+
+impl Action {
+    /// A motion with nothing more said.
+    pub fn new(motion: Motion) -> Action {
+        Action {
+            motion,
+            target: None,
+            brushing: None,
+            manner: Vec::new(),
+            repetition: None,
+            duration: None,
+            alternating: false,
+        }
+    }
+}
+
+/// What a hand does.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Motion {
+    /// Nothing: the posture is held.
+    Hold,
+    /// Only what the other tiers change (HamNoSys `hamreplace`), and the way to a target.
+    Change,
+    /// A straight path.
+    Straight {
+        /// Where to.
+        direction: Heading,
+        /// How far.
+        extent: Extent,
+        /// Small waves on the way.
+        overlay: Option<Overlay>,
+    },
+    /// A bent path: a chord and the side that it bulges to.
+    Arc {
+        /// Direction of the chord.
+        direction: Heading,
+        /// Length of the chord.
+        extent: Extent,
+        /// The side of the bend.
+        bulge: Direction,
+        /// How bent: the height of the bend is 0.1 (small), 0.25 (normal) or 0.5 (large) of the chord.
+        depth: Size,
+        /// Small waves on the way.
+        overlay: Option<Overlay>,
+    },
+    /// A circle or an ellipse. Clockwise as seen by one who looks along the axis.
+    Circle {
+        /// The axis.
+        axis: Direction,
+        /// The radius: 2, 5 or 10 cm, or metres.
+        extent: Extent,
+        /// Where it starts (its top where not said).
+        start: Clock,
+        /// How many turns, above 0; not a whole number for arcs of a circle.
+        turns: f64,
+        /// An ellipse: its short axis is this part of the long one, whose direction follows.
+        ellipse: Option<(f64, Direction)>,
+        /// Growing (+) or shrinking (−) with each turn.
+        growth: i8,
+    },
+    /// A small movement of the wrist, to and fro.
+    Wrist(WristMotion, Size),
+    /// The fingers play (HamNoSys `hamfingerplay`); no digits means all fingers.
+    Wiggle(Digits),
+}
+
+/// How far: a size that the grammar knows in metres for each kind of movement, or metres.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Extent {
+    /// Small, normal or large.
+    Size(Size),
+    /// Metres, above 0.
+    Metres(f64),
+}
+
+/// Small, normal or large.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+pub enum Size {
+    /// HamNoSys `hamsmallmod`.
+    Small,
+    /// Unmarked.
+    #[default]
+    Normal,
+    /// HamNoSys `hamlargemod`.
+    Large,
+}
+
+/// Waves along a path.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Overlay {
+    /// Zigzag rather than wavy.
+    pub zigzag: bool,
+    /// How large the waves are.
+    pub size: Size,
+}
+
+/// A place on the clock face of a circle, in eighths of a turn clockwise from the top: 0 to 7.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+pub struct Clock(u8);
+
+impl Clock {
+    /// The place, or `None` above 7.
+    pub fn new(eighths: u8) -> Option<Clock> {
+        (eighths < 8).then_some(Clock(eighths))
+    }
+
+    /// Eighths of a turn, clockwise from the top.
+    pub fn eighths(self) -> u8 {
+        self.0
+    }
+}
+
+/// Secondary movements of the wrist.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum WristMotion {
+    /// Bending to the palm and back.
+    Nod,
+    /// Bending to the thumb's and the little finger's side.
+    Swing,
+    /// Turning about the forearm.
+    Twist,
+    /// Stirring, clockwise as the signer sees it.
+    StirClockwise,
+    /// Stirring the other way.
+    StirCounterclockwise,
+}
+
+impl WristMotion {
+    /// All of them.
+    pub const ALL: [WristMotion; 5] = [
+        WristMotion::Nod,
+        WristMotion::Swing,
+        WristMotion::Twist,
+        WristMotion::StirClockwise,
+        WristMotion::StirCounterclockwise,
+    ];
+
+    /// The name in text.
+    pub fn name(self) -> &'static str {
+        match self {
+            WristMotion::Nod => "nod",
+            WristMotion::Swing => "swing",
+            WristMotion::Twist => "twist",
+            WristMotion::StirClockwise => "stir-clockwise",
+            WristMotion::StirCounterclockwise => "stir-counterclockwise",
+        }
+    }
+}
+
+/// Manner of a movement.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Manner {
+    /// HamNoSys `hamfast`.
+    Fast,
+    /// HamNoSys `hamslow`.
+    Slow,
+    /// HamNoSys `hamtense`.
+    Tense,
+    /// HamNoSys `hamrest`: a rest before it.
+    Rest,
+    /// HamNoSys `hamhalt`: a sudden stop.
+    Halt,
+}
+
+impl Manner {
+    /// All of them.
+    pub const ALL: [Manner; 5] = [Manner::Fast, Manner::Slow, Manner::Tense, Manner::Rest, Manner::Halt];
+
+    /// The name in text.
+    pub fn name(self) -> &'static str {
+        match self {
+            Manner::Fast => "fast",
+            Manner::Slow => "slow",
+            Manner::Tense => "tense",
+            Manner::Rest => "rest",
+            Manner::Halt => "halt",
+        }
+    }
+}
+
+/// How a movement repeats.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub struct Repetition {
+    /// In what way.
+    pub kind: RepetitionKind,
+    /// Performances in all, from 2 ("several" is 3).
+    pub times: u8,
+    /// Each larger (+) or smaller (−) than the one before.
+    pub growth: i8,
+}
+
+/// The ways to repeat.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum RepetitionKind {
+    /// Back to the start, then again.
+    FromStart,
+    /// From where it ended, on.
+    Continue,
+    /// There and back again.
+    ToAndFro,
+}

@@ -1,0 +1,93 @@
+//! Non-manual features: head, trunk, gaze and face.
+//!
+//! The values are names of the inventory (`grammar/nonmanuals.ron`); directions and mouthed words are kept as such.
+
+use super::direction::Heading;
+use super::placement::Placement;
+
+/// A tier of non-manual values.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Channel {
+    /// Nods, shakes, turns and tilts.
+    Head,
+    /// The trunk.
+    Torso,
+    /// The shoulders.
+    Shoulders,
+    /// Where the eyes look.
+    Gaze,
+    /// The eyebrows.
+    Brows,
+    /// The eyelids.
+    Lids,
+    /// The nose.
+    Nose,
+    /// The cheeks.
+    Cheeks,
+    /// Mouth gestures, mouth shapes and mouthed words.
+    Mouth,
+}
+
+impl Channel {
+    /// All of them, in the order they are written.
+    pub const ALL: [Channel; 9] = [
+        Channel::Head,
+        Channel::Torso,
+        Channel::Shoulders,
+        Channel::Gaze,
+        Channel::Brows,
+        Channel::Lids,
+        Channel::Nose,
+        Channel::Cheeks,
+        Channel::Mouth,
+    ];
+
+    /// The keyword in text.
+    pub fn name(self) -> &'static str {
+        match self {
+            Channel::Head => "head",
+            Channel::Torso => "torso",
+            Channel::Shoulders => "shoulders",
+            Channel::Gaze => "gaze",
+            Channel::Brows => "brows",
+            Channel::Lids => "lids",
+            Channel::Nose => "nose",
+            Channel::Cheeks => "cheeks",
+            Channel::Mouth => "mouth",
+        }
+    }
+}
+
+/// One non-manual value.
+#[derive(Debug, Clone, PartialEq)]
+pub struct NonManual {
+    /// What.
+    pub value: NonManualValue,
+    /// How much.
+    pub amount: Amount,
+}
+
+/// What a non-manual tier says.
+#[derive(Debug, Clone, PartialEq)]
+pub enum NonManualValue {
+    /// A value of the inventory for that tier: `raised`, `puffed`, `nod`.
+    Named(String),
+    /// Turned or looking that way: `towards up-left`.
+    Towards(Heading),
+    /// Turned or looking at a place: `at other palm`.
+    At(Placement),
+    /// A word mouthed, in SAMPA: `mouthing "ZuR"`.
+    Mouthing(String),
+}
+
+/// How much of a value.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+pub enum Amount {
+    /// Half.
+    Slight,
+    /// As the inventory says.
+    #[default]
+    Plain,
+    /// Half as much again, as far as the face goes.
+    Strong,
+}
