@@ -12,6 +12,7 @@
 
 pub mod configuration;
 pub mod direction;
+pub mod grammar;
 pub mod hand;
 pub mod movement;
 pub mod nonmanual;
