@@ -16,7 +16,7 @@
 //! Rest directions of no length or a hinge along the bone ([`ArmRest::new`]). Where the arm is straight the
 //! roll cannot be read from positions: it is kept from the [`ArmHint`].
 
-use super::rotation::{direction, perpendicular, shortest_arc, swing_twist, to_vector, twist_angle, unit, unwrap_near};
+use super::rotation::{direction, from_vector, perpendicular, shortest_arc, swing_twist, to_vector, twist_angle, unit, unwrap_near};
 use glam::{DMat3, DQuat, DVec3};
 
 /// Below this flexion (.1°) the roll is the hint's; from there to [`ROLL_SEEN`] it passes to the positions'.
@@ -90,6 +90,24 @@ impl ArmRest {
     /// From elbow to wrist at rest: the axis of pronation.
     pub fn fore(&self) -> DVec3 {
         self.fore
+    }
+
+    /// The hand's local rotation for a turn of the forearm, a flexion and a radial deviation of the wrist (radians):
+    /// the inverse of what [`orient`] reads.
+    ///
+    /// ```
+    /// use chereme::motion::arm::{ArmRest, orient};
+    /// use glam::{DQuat, DVec3};
+    /// let rest = ArmRest::left();
+    /// let arm = [DVec3::ZERO, DVec3::X * 0.3, DVec3::new(0.3, 0.0, 0.25)];
+    /// let straight = orient(&rest, DQuat::IDENTITY, arm, DQuat::IDENTITY, None);
+    /// let hand = straight.upper * straight.fore * rest.hand(0.4, -0.3, 0.1);
+    /// let angles = orient(&rest, DQuat::IDENTITY, arm, hand, None).angles;
+    /// assert!((angles.twist - 0.4).abs() + (angles.flexion + 0.3).abs() + (angles.radial - 0.1).abs() < 1e-9);
+    /// ```
+    pub fn hand(&self, twist: f64, flexion: f64, radial: f64) -> DQuat {
+        let swing = from_vector(self.wrist_flexion * flexion + self.wrist_radial * radial);
+        unit(DQuat::from_axis_angle(self.fore, twist) * swing)
     }
 
     /// The axis about which the elbow flexes, in the upper arm's rest axes.
