@@ -3,6 +3,7 @@
 //! See docs/ARCHITECTURE.md for the map and docs/DESIGN.md for the decisions.
 
 pub mod diagnostics;
+pub mod format;
 pub mod motion;
 pub mod tier;
 pub mod time;

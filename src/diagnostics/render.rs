@@ -15,8 +15,7 @@ pub fn render(diagnostic: &Diagnostic, source: &Source, colour: bool) -> String 
         AnnotationKind::Primary.span(inside(diagnostic.span, &source.text)).label(diagnostic.label.as_str()),
     );
     if let Some((span, what)) = &diagnostic.related {
-        snippet =
-            snippet.annotation(AnnotationKind::Context.span(inside(*span, &source.text)).label(what.as_str()));
+        snippet = snippet.annotation(AnnotationKind::Context.span(inside(*span, &source.text)).label(what.as_str()));
     }
     let mut group = level.primary_title(diagnostic.message.as_str()).element(snippet);
     for hint in &diagnostic.hints {

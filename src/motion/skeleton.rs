@@ -77,8 +77,7 @@ impl Skeleton {
                 if by_name.insert(name.clone(), id).is_some() {
                     return Err(Error::new(format!("joint {name} is listed twice")));
                 }
-                let joint =
-                    Joint { name, parent, rest_model: DVec3::from(row.pos), tail_model: DVec3::from(row.tail) };
+                let joint = Joint { name, parent, rest_model: DVec3::from(row.pos), tail_model: DVec3::from(row.tail) };
                 if !(joint.rest_model.is_finite() && joint.tail_model.is_finite()) {
                     return Err(Error::new(format!("joint {} has a position that is not finite", joint.name)));
                 }
