@@ -4,6 +4,7 @@
 
 pub mod body;
 pub mod diagnostics;
+pub mod format;
 pub mod motion;
 pub mod phonology;
 pub mod synthesis;
