@@ -1,1 +1,7 @@
 //! One integration binary; the tree mirrors `src/`.
+
+mod motion_arm;
+mod motion_easing;
+mod motion_fabrik;
+mod motion_profile;
+mod motion_rotation;

@@ -11,7 +11,7 @@
 //! the residual. No vector is touched between the first and the last iteration; the iterates are those of
 //! [`super::solve_chain`].
 
-use super::{Options, Outcome, PRE_BEND, Solution, bend_side};
+use super::{Options, Outcome, PRE_BEND, Solution, bend_side, within};
 use crate::motion::rotation::direction;
 use crate::motion::two_bone::distance_at;
 use glam::DVec3;
@@ -122,8 +122,17 @@ pub fn solve_arm(start: [DVec3; 3], target: DVec3, options: &Options) -> Solutio
     let y = ((upper - x) * (upper + x)).sqrt();
     let bone = axis * x + side * y;
     let aim = axis * reach;
-    let tip = bone + (aim - bone) * (fore / (aim - bone).length().max(TINY));
+    let mut along = (aim - bone) * (1.0 / (aim - bone).length().max(TINY));
+    if let (Some(limits), Some(before)) = (options.limits, direction(bone)) {
+        along = within(before, along, limits);
+    }
+    let tip = bone + along * fore;
     let residual_m = (gap - tip).length();
-    let outcome = if missed > tolerance { short } else { outcome };
+    if missed > tolerance {
+        outcome = short;
+    } else if outcome == Outcome::Converged && residual_m > tolerance + 1e-12 {
+        // The tolerance had bent the elbow past its limit, and the final clamp took that back.
+        outcome = Outcome::Limited;
+    }
     Solution { joints: [shoulder, shoulder + bone, shoulder + tip], residual_m, iterations, outcome }
 }

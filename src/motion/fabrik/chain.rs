@@ -1,6 +1,6 @@
 //! FABRIK for a chain of any number of joints.
 
-use super::{InnerAngles, Options, Outcome, PRE_BEND, Solution, bend_side};
+use super::{InnerAngles, Options, Outcome, PRE_BEND, Solution, bend_side, within};
 use crate::motion::rotation::{direction, perpendicular};
 use glam::{DQuat, DVec3};
 
@@ -125,16 +125,4 @@ fn base_to_tip(joints: &mut [DVec3], lengths: &[f64], base: DVec3, limits: Optio
         joints[i + 1] = joints[i] + along * lengths[i];
         before = Some(along);
     }
-}
-
-/// The direction nearest to `along` whose inner angle with the bone before (of direction `before`) is allowed.
-fn within(before: DVec3, along: DVec3, limits: InnerAngles) -> DVec3 {
-    let outer = 2.0 * (along - before).length().atan2((along + before).length());
-    let inner = std::f64::consts::PI - outer;
-    let ordered = limits.least <= limits.greatest;
-    if !ordered || (limits.least..=limits.greatest).contains(&inner) {
-        return along;
-    }
-    let outer = std::f64::consts::PI - inner.clamp(limits.least, limits.greatest);
-    before * outer.cos() + perpendicular(along, before) * outer.sin()
 }

@@ -117,3 +117,15 @@ fn bend_side(across: DVec3, straight: bool, axis: DVec3, pole: Pole) -> DVec3 {
         Pole::WhenStraight(_) | Pole::Inherited => perpendicular(across, axis),
     }
 }
+
+/// The direction nearest to `along` whose inner angle with the bone before (of direction `before`) is allowed.
+fn within(before: DVec3, along: DVec3, limits: InnerAngles) -> DVec3 {
+    let outer = 2.0 * (along - before).length().atan2((along + before).length());
+    let inner = std::f64::consts::PI - outer;
+    let ordered = limits.least <= limits.greatest;
+    if !ordered || (limits.least..=limits.greatest).contains(&inner) {
+        return along;
+    }
+    let outer = std::f64::consts::PI - inner.clamp(limits.least, limits.greatest);
+    before * outer.cos() + perpendicular(along, before) * outer.sin()
+}
