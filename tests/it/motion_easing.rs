@@ -152,7 +152,7 @@ fn wave(easing: Easing) -> (Vec<f64>, Fps) {
 fn e06_peak_speeds_at_half_way() {
     let peaks = [
         (Easing::Linear, 1.0),
-        (Easing::Cosine, 1.5708),
+        (Easing::Cosine, FRAC_PI_2),
         (Easing::PaperSigmoid, 2.5),
         (NORMALISED, 2.5339),
         (Easing::MinimumJerk, 1.875),

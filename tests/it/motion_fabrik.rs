@@ -66,7 +66,7 @@ proptest! {
     #[test]
     fn the_plane_s_one_number_iterates_as_the_vectors_do(start in any_arm(), to in any_direction(), share in 0.3..0.98f64) {
         let target = to * share * REACH_M;
-        prop_assume!((start[1].normalize().cross(to)).length() > 0.05 && start[2].distance(target) > 1e-3);
+        prop_assume!((start[1].normalize().cross(to)).length() > 0.05 );
         let (fast, slow) = (solve_arm(start, target, &Options::default()), solve_chain(&start, target, &Options::default()));
         prop_assert_eq!(fast.iterations, slow.iterations);
         for (a, b) in fast.joints.iter().zip(&slow.joints) {

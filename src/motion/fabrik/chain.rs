@@ -32,7 +32,7 @@ pub fn solve_chain(start: &[DVec3], target: DVec3, options: &Options) -> Solutio
         return Solution { joints, residual_m, iterations: 0, outcome: Outcome::Refused };
     }
     let tolerance = options.tolerance_m.max(0.0);
-    if residual_m <= tolerance && options.limits.is_none() {
+    if residual_m <= tolerance && options.may_stay() {
         return Solution { joints, residual_m, iterations: 0, outcome: Outcome::Converged };
     }
     if wanted >= total && options.limits.is_none() {
