@@ -14,6 +14,7 @@ pub mod configuration;
 pub mod direction;
 pub mod grammar;
 pub mod hand;
+pub mod location;
 pub mod movement;
 pub mod nonmanual;
 pub mod orientation;
@@ -23,6 +24,7 @@ pub mod sign;
 pub use configuration::{Bend, Configuration, HandshapeChange, ThumbPosition};
 pub use direction::{Direction, Heading};
 pub use hand::{Digit, Digits, Flank, Hand, HandPart, HandPoint, Side};
+pub use location::{Location, LocationInventory, LocationKind};
 pub use movement::{
     Action, Clock, Extent, Manner, Motion, Movement, Overlay, Repetition, RepetitionKind, Size, WristMotion,
 };
