@@ -4,8 +4,10 @@
 
 pub mod body;
 pub mod diagnostics;
+pub mod format;
 pub mod motion;
 pub mod phonology;
+pub mod synthesis;
 pub mod tier;
 pub mod time;
 pub mod track;
