@@ -1,6 +1,14 @@
 // The avatar: reads the GLB, poses it at any time, and dresses it so that hands can be read.
-import { AnimationMixer, BackSide, Color, MeshBasicMaterial, Float32BufferAttribute } from 'three';
+import {
+  AnimationMixer, BackSide, BufferAttribute, BufferGeometry, Color, Float32BufferAttribute, MeshBasicMaterial,
+} from 'three';
 import { GLTFLoader } from './GLTFLoader.js';
+
+/** Layers of the drawing; 0 is left to the lights. A close-up of one hand shows the forearm of its side only. */
+export const LAYERS = { body: 1, right: 2, left: 3 };
+
+/** In the T-pose, what is this far from the middle (metres) is forearm and hand. */
+const FOREARM = 0.4;
 
 /** Loads the GLB and returns { root, bones, duration, pose(t) }; `t` is in seconds. */
 export async function loadAvatar(bytes) {
@@ -11,7 +19,7 @@ export async function loadAvatar(bytes) {
     if (object.isMesh) meshes.push(object);
   });
   const outline = outlineMaterial();
-  for (const mesh of meshes) dress(mesh, outline);
+  for (const mesh of meshes.flatMap(split)) dress(mesh, outline);
   const clip = gltf.animations[0];
   const mixer = new AnimationMixer(root);
   const action = clip ? mixer.clipAction(clip).play() : null;
@@ -26,17 +34,43 @@ export async function loadAvatar(bytes) {
   return { root, bones, outline, duration: clip ? clip.duration : 0, pose };
 }
 
+/** Splits the parts that have forearms or hands into right, left and body, each on its layer. */
+function split(mesh) {
+  const whole = mesh.geometry, position = whole.getAttribute('position'), corners = { body: [], right: [], left: [] };
+  if (!whole.index || !['hands', 'suit'].includes(mesh.material.name)) {
+    mesh.layers.set(LAYERS.body);
+    return [mesh];
+  }
+  if (mesh.material.name === 'hands') tintPalms(mesh);
+  for (let i = 0; i < whole.index.count; i += 3) {
+    const three = [0, 1, 2].map((k) => whole.index.getX(i + k)), x = position.getX(three[0]);
+    corners[x < -FOREARM ? 'right' : x > FOREARM ? 'left' : 'body'].push(...three);
+  }
+  mesh.visible = false;
+  return Object.keys(corners).filter((side) => corners[side].length).map((side) => {
+    const geometry = new BufferGeometry(), piece = mesh.clone();
+    for (const [name, attribute] of Object.entries(whole.attributes)) geometry.setAttribute(name, attribute);
+    geometry.setIndex(new BufferAttribute(new Uint32Array(corners[side]), 1));
+    Object.assign(geometry, { morphAttributes: whole.morphAttributes, morphTargetsRelative: whole.morphTargetsRelative });
+    Object.assign(piece, { geometry, visible: true });
+    piece.layers.set(LAYERS[side]);
+    mesh.parent.add(piece);
+    return piece;
+  });
+}
+
 function dress(mesh, outline) {
   mesh.frustumCulled = false; // the skin moves away from the box the mesh had at rest
   const kind = mesh.material.name;
   const solid = ['face', 'hands', 'suit', 'hair', ''].includes(kind);
   mesh.castShadow = solid;
   mesh.receiveShadow = true;
-  if (kind === 'hands') tintPalms(mesh);
-  if (kind === 'suit') mesh.material.color.multiplyScalar(1.7); // folds of so dark a cloth would not show
+  // Folds of so dark a cloth would not show. (The pieces share one material.)
+  if (kind === 'suit') mesh.material.color.set(0x4d5872);
   if (!solid || kind === 'hair') return;
   // The outline is the same mesh inside out, grown by about one pixel.
   const line = mesh.clone();
+  line.layers.mask = mesh.layers.mask;
   line.material = outline;
   line.castShadow = line.receiveShadow = false;
   mesh.parent.add(line);

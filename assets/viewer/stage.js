@@ -31,7 +31,7 @@ export class Stage {
 
   /** One strong key light from the viewer's upper left with soft shadow, a weak sky, and a rim from behind. */
   light() {
-    const key = new DirectionalLight(0xfff4e6, 2.7);
+    const key = new DirectionalLight(0xfff4e6, 2.4);
     key.position.set(-1.15, 2.75, 1.75);
     key.target.position.set(0, 1.15, 0.1);
     key.castShadow = true;
@@ -43,7 +43,7 @@ export class Stage {
     const rim = new DirectionalLight(0xcfe0ff, 1.3);
     rim.position.set(1.4, 1.9, -1.6);
     rim.target.position.set(0, 1.2, 0);
-    this.head = new DirectionalLight(0xffffff, 0.45); // stands at the camera of each view
+    this.head = new DirectionalLight(0xffffff, 0.75); // stands at the camera of each view
     this.scene.add(new HemisphereLight(0xe9f0ff, 0x54443c, 0.95), key, key.target, rim, rim.target, this.head, this.head.target);
   }
 
