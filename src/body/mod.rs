@@ -1,4 +1,6 @@
 //! The signer's body: anatomical angles and named places on a rig.
 
 pub mod arm;
+pub mod hand;
 pub mod landmarks;
+pub mod signer;
