@@ -79,7 +79,7 @@ function dress(mesh, outline) {
 /** Palms are paler than backs of hands; at rest they look down, so the rest normal tells them apart. */
 function tintPalms(mesh) {
   const normal = mesh.geometry.getAttribute('normal'), colours = [];
-  const palm = new Color(1.28, 1.3, 1.36), back = new Color(1, 1, 1), mixed = new Color();
+  const palm = new Color(1.16, 1.2, 1.24), back = new Color(1, 1, 1), mixed = new Color();
   for (let i = 0; i < normal.count; i++) {
     const down = Math.min(Math.max(-normal.getY(i) * 1.25 + 0.15, 0), 1);
     mixed.copy(back).lerp(palm, down * down * (3 - 2 * down));

@@ -34,6 +34,7 @@ function aim(camera, spec) {
   camera.up.fromArray(spec.up || [0, 1, 0]);
   camera.position.fromArray(spec.position);
   camera.lookAt(new Vector3().fromArray(spec.target));
+  camera.userData.alone = Boolean(spec.only);
   for (const [name, layer] of Object.entries(LAYERS)) {
     if (!spec.only || spec.only === name) camera.layers.enable(layer);
   }
