@@ -6,3 +6,5 @@ mod motion_easing;
 mod motion_fabrik;
 mod motion_profile;
 mod motion_rotation;
+mod format_glb_write;
+mod format_html;

@@ -168,7 +168,7 @@ fn part(
         }
         None => (0..count as u32).collect(),
     };
-    if corners.len() % 3 != 0 || corners.iter().any(|&c| c as usize >= count) {
+    if !corners.len().is_multiple_of(3) || corners.iter().any(|&c| c as usize >= count) {
         return Err(Error::new("a triangle has no third corner, or a corner that is no vertex"));
     }
     let (mut of, mut weights) = (Vec::new(), Vec::new());
