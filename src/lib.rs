@@ -2,9 +2,12 @@
 //!
 //! See docs/ARCHITECTURE.md for the map and docs/DESIGN.md for the decisions.
 
+pub mod body;
 pub mod diagnostics;
+pub mod format;
 pub mod motion;
 pub mod phonology;
+pub mod synthesis;
 pub mod tier;
 pub mod time;
 pub mod track;

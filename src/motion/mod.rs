@@ -7,7 +7,13 @@
 //! *Local* rotations are relative to the parent joint; *model* positions and rotations are relative
 //! to the floor between the feet. The two are different types ([`pose::LocalPose`], [`pose::ModelPose`]).
 
+pub mod arm;
 pub mod clip;
 pub mod easing;
+pub mod fabrik;
 pub mod pose;
+pub mod profile;
+pub mod reach;
+pub mod rotation;
 pub mod skeleton;
+pub mod two_bone;

@@ -12,9 +12,11 @@
 
 pub mod configuration;
 pub mod direction;
+pub mod expression;
 pub mod grammar;
 pub mod hand;
 pub mod movement;
+pub mod movement_table;
 pub mod nonmanual;
 pub mod orientation;
 pub mod placement;

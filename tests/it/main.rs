@@ -1,1 +1,2 @@
 //! One integration binary; the tree mirrors `src/`.
+mod format_glb;

@@ -1,0 +1,3 @@
+//! The signer's body: anatomical angles and named places on a rig.
+
+pub mod arm;

@@ -1,0 +1,6 @@
+//! File formats: bytes to plain data and back, one format a file.
+//!
+//! Readers take any bytes and answer with data or an [`Error`](crate::diagnostics::Error); writers
+//! return bytes or text. Nothing here opens a file or knows what a sign is.
+
+pub mod glb;
