@@ -1,3 +1,5 @@
 //! The signer's body: anatomical angles and named places on a rig.
 
 pub mod arm;
+pub mod hand;
+pub mod skin;

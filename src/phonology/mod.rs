@@ -15,6 +15,7 @@ pub mod direction;
 pub mod expression;
 pub mod grammar;
 pub mod hand;
+pub mod handshape;
 pub mod movement;
 pub mod movement_table;
 pub mod nonmanual;
@@ -25,6 +26,7 @@ pub mod sign;
 pub use configuration::{Bend, Configuration, HandshapeChange, ThumbPosition};
 pub use direction::{Direction, Heading};
 pub use hand::{Digit, Digits, Flank, Hand, HandPart, HandPoint, Side};
+pub use handshape::{HandAngles, Handshape, HandshapeInventory};
 pub use movement::{
     Action, Clock, Extent, Manner, Motion, Movement, Overlay, Repetition, RepetitionKind, Size, WristMotion,
 };
