@@ -4,3 +4,4 @@ pub mod arm;
 pub mod hand;
 pub mod landmarks;
 pub mod signer;
+pub mod skin;

@@ -1,4 +1,5 @@
 //! One integration binary; the tree mirrors `src/`.
+mod body_hand;
 mod format_glb;
 
 mod format_glb_write;
@@ -8,3 +9,4 @@ mod motion_easing;
 mod motion_fabrik;
 mod motion_profile;
 mod motion_rotation;
+mod phonology_handshape;
