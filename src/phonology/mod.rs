@@ -27,8 +27,8 @@ pub mod sign;
 pub use configuration::{Bend, Configuration, HandshapeChange, ThumbPosition};
 pub use direction::{Direction, Heading};
 pub use hand::{Digit, Digits, Flank, Hand, HandPart, HandPoint, Side};
-pub use location::{Location, LocationInventory, LocationKind};
 pub use handshape::{HandAngles, Handshape, HandshapeInventory};
+pub use location::{Location, LocationInventory, LocationKind};
 pub use movement::{
     Action, Clock, Extent, Manner, Motion, Movement, Overlay, Repetition, RepetitionKind, Size, WristMotion,
 };
