@@ -1,4 +1,5 @@
 //! One integration binary; the tree mirrors `src/`.
+mod body_landmarks;
 mod format_glb;
 
 mod motion_arm;
@@ -6,3 +7,4 @@ mod motion_easing;
 mod motion_fabrik;
 mod motion_profile;
 mod motion_rotation;
+mod phonology_location;
