@@ -1,4 +1,5 @@
 //! The signer's body: anatomical angles and named places on a rig.
 
 pub mod arm;
+mod landmark_table;
 pub mod landmarks;
