@@ -2,4 +2,6 @@
 
 pub mod arm;
 mod landmark_table;
+pub mod hand;
 pub mod landmarks;
+pub mod signer;

@@ -15,6 +15,7 @@ pub mod direction;
 pub mod expression;
 pub mod grammar;
 pub mod hand;
+pub mod handshape;
 pub mod location;
 mod location_table;
 pub mod movement;

@@ -8,3 +8,5 @@ mod motion_fabrik;
 mod motion_profile;
 mod motion_rotation;
 mod phonology_location;
+mod format_glb_write;
+mod format_html;
