@@ -1,7 +1,7 @@
 //! The signer's body: anatomical angles and named places on a rig.
 
 pub mod arm;
-mod landmark_table;
 pub mod hand;
+mod landmark_table;
 pub mod landmarks;
 pub mod signer;
