@@ -17,6 +17,7 @@ pub mod grammar;
 pub mod hand;
 pub mod handshape;
 pub mod location;
+mod location_table;
 pub mod movement;
 pub mod movement_table;
 pub mod nonmanual;

@@ -1,5 +1,6 @@
 //! One integration binary; the tree mirrors `src/`.
 mod body_hand;
+mod body_landmarks;
 mod format_glb;
 
 mod format_glb_write;
@@ -10,3 +11,6 @@ mod motion_fabrik;
 mod motion_profile;
 mod motion_rotation;
 mod phonology_handshape;
+mod phonology_location;
+mod format_glb_write;
+mod format_html;
