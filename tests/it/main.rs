@@ -4,6 +4,8 @@ mod body_landmarks;
 mod format_glb;
 
 mod format_glb_write;
+mod format_glb_write;
+mod format_html;
 mod format_html;
 mod motion_arm;
 mod motion_easing;
@@ -12,5 +14,3 @@ mod motion_profile;
 mod motion_rotation;
 mod phonology_handshape;
 mod phonology_location;
-mod format_glb_write;
-mod format_html;
