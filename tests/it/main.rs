@@ -4,8 +4,6 @@ mod body_landmarks;
 mod format_glb;
 
 mod format_glb_write;
-mod format_glb_write;
-mod format_html;
 mod format_html;
 mod motion_arm;
 mod motion_easing;
@@ -14,3 +12,4 @@ mod motion_profile;
 mod motion_rotation;
 mod phonology_handshape;
 mod phonology_location;
+mod phonology_orientation;
