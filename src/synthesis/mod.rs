@@ -10,8 +10,8 @@
 pub mod anchor;
 pub mod face;
 pub mod legs;
-mod path_of_hand;
 pub mod path;
+mod path_of_hand;
 pub mod plan;
 pub mod reach;
 pub mod symmetry;

@@ -11,8 +11,8 @@ use crate::diagnostics::Error;
 use crate::motion::pose::ModelPose;
 use crate::phonology::handshape::HandAngles;
 use crate::phonology::{
-    Configuration, ContactKind, Distance, Hand, HandPart, HandPoint, Hands, Lateral, Orientation, Place, Placement, Side,
-    Sign, Symmetry,
+    Configuration, ContactKind, Distance, Hand, HandPart, HandPoint, Hands, Lateral, Orientation, Place, Placement,
+    Side, Sign, Symmetry,
 };
 use glam::{DQuat, DVec3};
 
@@ -133,7 +133,9 @@ impl Planner<'_> {
         let touching = stated.is_some_and(|p| self.touches(p));
         let mut with = match stated.and_then(|p| p.with) {
             Some(point) => Some(self.signer.landmarks.hand_point(side, point)?),
-            None if stated.is_some() || before.is_none() => Some(self.own_point(configuration, sign, side, touching)?),
+            None if stated.is_some() || before.is_none() => {
+                Some(self.own_point(configuration, sign, side, touching)?)
+            }
             None => None,
         };
         if let Some(contact) = contact {
@@ -247,7 +249,8 @@ impl Planner<'_> {
         };
         let anchor = match &placement.place {
             Place::Body(name) => {
-                let row = self.grammar.locations.get(name).ok_or_else(|| Error::new(format!("no place is called {name}")))?;
+                let row =
+                    self.grammar.locations.get(name).ok_or_else(|| Error::new(format!("no place is called {name}")))?;
                 let lateral = placement.lateral.or_else(|| self.unsaid_side(sign, side, row.paired, &row.id, meeting));
                 let landmark = landmarks.body_place(&row.id, lateral)?;
                 let from = (landmark.position(self.neutral), landmark.normal(self.neutral));

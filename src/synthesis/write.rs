@@ -414,7 +414,9 @@ impl Writer<'_> {
         }
         if report.tilt > TILT_WARNED {
             let degrees = report.tilt.to_degrees();
-            report.warnings.push(format!("the wrist does not bend that far: a hand is turned {degrees:.0}° from what is stated"));
+            report
+                .warnings
+                .push(format!("the wrist does not bend that far: a hand is turned {degrees:.0}° from what is stated"));
         }
         let whole = report.sign_end.0 - report.stroke_start.0;
         let greatest = self.grammar.movements.timing.greatest_sign;
@@ -431,4 +433,3 @@ fn measure(solved: &[ArmFrame], report: &mut Report) {
         report.tilt = report.tilt.max(frame.tilt);
     }
 }
-

@@ -6,3 +6,4 @@ mod motion_easing;
 mod motion_fabrik;
 mod motion_profile;
 mod motion_rotation;
+mod notation_signs;
