@@ -1,7 +1,7 @@
 // Cameras: the fixed views, and the close-ups that follow the face and the hands.
 // Model space: metres, Y up, the signer faces +Z, the signer's left is +X.
 import { PerspectiveCamera, Quaternion, Vector3 } from 'three';
-import { LAYERS } from './avatar.js';
+import { LAYERS, LONE_OUTLINES } from './avatar.js';
 
 /** The views of the whole upper body, in the order of keys 1 to 5. */
 export const VIEWS = {
@@ -34,9 +34,9 @@ function aim(camera, spec) {
   camera.up.fromArray(spec.up || [0, 1, 0]);
   camera.position.fromArray(spec.position);
   camera.lookAt(new Vector3().fromArray(spec.target));
-  for (const [name, layer] of Object.entries(LAYERS)) {
-    if (!spec.only || spec.only === name) camera.layers.enable(layer);
-  }
+  camera.userData.alone = Boolean(spec.only);
+  const layers = spec.only ? [LAYERS[spec.only], LONE_OUTLINES[spec.only]] : Object.values(LAYERS);
+  for (const layer of layers) camera.layers.enable(layer);
   return camera;
 }
 

@@ -1,4 +1,8 @@
 //! The signer's body: anatomical angles and named places on a rig.
 
 pub mod arm;
+pub mod hand;
+mod landmark_table;
 pub mod landmarks;
+pub mod signer;
+pub mod skin;

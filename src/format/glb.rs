@@ -17,5 +17,5 @@ pub mod read;
 mod samples;
 mod write;
 
-pub use read::{GlbJoint, GlbModel, GlbMorph, GlbPart};
+pub use read::{GlbJoint, GlbModel, GlbMorph, GlbPart, morph_names};
 pub use write::write;

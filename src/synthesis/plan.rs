@@ -123,7 +123,7 @@ impl Planner<'_> {
         let side = side_of(hand);
         let unsaid = Configuration::named("rest");
         let configuration = said.configuration.at(key).unwrap_or(&unsaid);
-        let angles = self.grammar.handshapes.angles(configuration, &sign.language)?;
+        let angles = self.grammar.angles(configuration, sign)?;
         let stated = said.placement.stated(key);
         let contact = sign.contact.stated(key).copied();
         let mut anchor = match stated {
@@ -194,7 +194,7 @@ impl Planner<'_> {
     /// The point that a hand places when none is named: what its shape touches with, or its palm in space.
     fn own_point(&self, shape: &Configuration, sign: &Sign, side: Side, touching: bool) -> Result<ContactPoint, Error> {
         let palm = HandPoint::new(Default::default(), HandPart::Palm, None);
-        let point = if touching { Some(self.grammar.handshapes.touches_with(shape, &sign.language)?) } else { palm };
+        let point = if touching { Some(self.grammar.touches_with(shape, sign)?) } else { palm };
         let point = point.ok_or_else(|| Error::new("a palm has no digits"))?;
         self.signer.landmarks.hand_point(side, point)
     }

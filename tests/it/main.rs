@@ -1,9 +1,17 @@
 //! One integration binary; the tree mirrors `src/`.
+mod body_hand;
+mod body_landmarks;
 mod format_glb;
 
+mod format_glb_write;
+mod format_html;
 mod motion_arm;
 mod motion_easing;
 mod motion_fabrik;
 mod motion_profile;
 mod motion_rotation;
 mod notation_signs;
+mod phonology_handshape;
+mod phonology_location;
+mod format_glb_write;
+mod format_html;

@@ -14,6 +14,7 @@ pub(super) struct Samples {
     views_before: usize,
     /// Key times written already, by their bytes: most channels share theirs.
     times: HashMap<Vec<u8>, usize>,
+    last_time: f32,
 }
 
 impl Samples {
@@ -30,7 +31,13 @@ impl Samples {
             accessors_before: count("accessors"),
             views_before: count("bufferViews"),
             times: HashMap::new(),
+            last_time: 0.0,
         }
+    }
+
+    /// The latest key time so far, seconds; 0 where there is none.
+    pub(super) fn last_time(&self) -> f32 {
+        self.last_time
     }
 
     /// Key times in seconds, ascending; returns the accessor's number, the same one for the same times.
@@ -44,6 +51,7 @@ impl Samples {
             accessor["min"] = json!([times.first()]);
             accessor["max"] = json!([times.last()]);
         }
+        self.last_time = times.last().copied().unwrap_or(0.0).max(self.last_time);
         self.times.insert(bytes, index);
         index
     }

@@ -36,12 +36,8 @@ pub fn write(avatar: &[u8], track: &Track) -> Result<Vec<u8>, Error> {
     let mut samples = Samples::new(&json, bin);
     let mut animation = Animation::default();
     rotations(clip, &nodes, &mut samples, &mut animation)?;
-    root_translation(clip, &nodes, &mut samples, &mut animation)?;
     weights(clip, &json, &nodes, &mut samples, &mut animation)?;
-    if animation.channels.is_empty() {
-        // glTF has no empty animation, so a signer at rest is keyed standing still.
-        key_root(clip, &nodes, &[0, clip.frames().len() - 1], &mut samples, &mut animation)?;
-    }
+    root_translation(clip, &nodes, &mut samples, &mut animation)?;
     let bin = samples.finish(&mut json);
     let document = json.as_object_mut().ok_or_else(|| Error::new("the GLB file's JSON is not an object"))?;
     document.insert(
@@ -72,8 +68,12 @@ impl Animation {
 fn node_of(nodes: &[Value], name: &str) -> Result<usize, Error> {
     let at = nodes.iter().position(|n| n["name"] == name);
     let at = at.ok_or_else(|| Error::new(format!("the avatar has no joint {name}, which the motion moves")))?;
-    let turned = nodes[at].get("rotation").is_some_and(|r| *r != json!([0.0, 0.0, 0.0, 1.0]));
-    if turned || nodes[at].get("matrix").is_some() || nodes[at].get("scale").is_some() {
+    let is = |key: &str, rest: &[f64]| {
+        let value =
+            nodes[at].get(key).map(|v| v.as_array().map(|a| a.iter().filter_map(Value::as_f64).collect::<Vec<_>>()));
+        value.is_none_or(|v| v.as_deref() == Some(rest))
+    };
+    if !is("rotation", &[0.0, 0.0, 0.0, 1.0]) || !is("scale", &[1.0; 3]) || nodes[at].get("matrix").is_some() {
         return Err(Error::new(format!("the avatar's joint {name} is turned or scaled at rest")));
     }
     Ok(at)
@@ -94,7 +94,7 @@ fn rotations(clip: &Clip, nodes: &[Value], samples: &mut Samples, animation: &mu
             keys.push(if same_side { q } else { q.map(|x| -x) });
         }
         let still = keys.iter().all(|k| k.iter().zip(keys[0]).all(|(a, b)| (a - b).abs() < 1e-6));
-        if still && keys[0][3] > 1.0 - 1e-9 {
+        if still && keys[0][..3].iter().all(|x| x.abs() < 1e-6) {
             continue; // at rest throughout
         }
         let name = &clip.skeleton()[id].name;
@@ -107,34 +107,27 @@ fn rotations(clip: &Clip, nodes: &[Value], samples: &mut Samples, animation: &mu
     Ok(())
 }
 
+/// Keys the root's position. It also keeps a motion that stands still as long as it is: glTF has no
+/// other word for an animation's duration than its last key, and no empty animation.
 fn root_translation(
     clip: &Clip,
     nodes: &[Value],
     samples: &mut Samples,
     animation: &mut Animation,
 ) -> Result<(), Error> {
+    let place = |i: usize| clip.frames()[i].pose.root_model;
+    let last = clip.frames().len() - 1;
     let rest = clip.skeleton().joints()[0].rest_model;
-    let first = clip.frames()[0].pose.root_model;
-    let still = clip.frames().iter().all(|f| f.pose.root_model.distance(first) < 1e-7);
-    match (still, first.distance(rest) < 1e-7) {
-        (true, true) => Ok(()),
-        (true, false) => key_root(clip, nodes, &[0], samples, animation),
-        (false, _) => key_root(clip, nodes, &(0..clip.frames().len()).collect::<Vec<_>>(), samples, animation),
-    }
-}
-
-/// Keys the root's position at some frames.
-fn key_root(
-    clip: &Clip,
-    nodes: &[Value],
-    frames: &[usize],
-    samples: &mut Samples,
-    animation: &mut Animation,
-) -> Result<(), Error> {
-    let frames = if frames.len() > 1 && frames[0] == frames[1] { &frames[..1] } else { frames };
+    let still = (0..=last).all(|i| place(i).distance(place(0)) < 1e-7);
+    let frames: Vec<usize> = match (still, samples.last_time() > 0.0) {
+        (true, true) if place(0).distance(rest) < 1e-7 => return Ok(()),
+        (true, true) => vec![0],
+        (true, false) if last > 0 => vec![0, last],
+        _ => (0..=last).collect(),
+    };
     let node = node_of(nodes, &clip.skeleton().joints()[0].name)?;
-    let places: Vec<[f32; 3]> = frames.iter().map(|&i| clip.frames()[i].pose.root_model.as_vec3().to_array()).collect();
-    let input = samples.times(&times(clip, frames));
+    let places: Vec<[f32; 3]> = frames.iter().map(|&i| place(i).as_vec3().to_array()).collect();
+    let input = samples.times(&times(clip, &frames));
     let output = samples.push(places.as_flattened(), "VEC3");
     animation.channel(node, "translation", input, output);
     Ok(())
