@@ -13,5 +13,3 @@ mod motion_rotation;
 mod notation_signs;
 mod phonology_handshape;
 mod phonology_location;
-mod format_glb_write;
-mod format_html;

@@ -4,7 +4,7 @@ use crate::diagnostics::{Diagnostic, Span, Spanned};
 use crate::notation::parse::configuration;
 use crate::notation::suggest::nearest;
 use crate::notation::syntax::{self, ContactKind, NonManualWhat, Values};
-use crate::notation::vocabulary::Vocabulary;
+use crate::notation::vocabulary::{Found, Vocabulary};
 use crate::phonology::{
     self, Action, Channel, Configuration, Contact, Direction, Distance, Extent, Heading, Lateral, Motion, Movement,
     NonManual, NonManualValue, Place, Placement, RepetitionKind,
@@ -39,9 +39,21 @@ impl Names<'_> {
     }
 
     fn handshape(&self, name: &Spanned<String>, faults: &mut Vec<Diagnostic>) {
-        let known = |n: &str| self.vocabulary.handshape(n, self.language).is_some();
-        if self.vocabulary.handshapes.is_empty() || known(&name.value) {
+        let known = |n: &str| self.vocabulary.handshape(n, self.language) != Found::Unknown;
+        if self.vocabulary.handshapes.is_empty() {
             return;
+        }
+        match self.vocabulary.handshape(&name.value, self.language) {
+            Found::One(_) => return,
+            Found::Several(ids) => {
+                faults.push(
+                    Diagnostic::fault(name.span, format!("`{}` is several handshapes", name.value))
+                        .label("which one?")
+                        .hint(format!("say which: {}; or give the language of the sign", ids.join(", "))),
+                );
+                return;
+            }
+            Found::Unknown => {}
         }
         let fault = Diagnostic::fault(name.span, format!("`{}` is not a known handshape", name.value))
             .label("unknown handshape");

@@ -4,7 +4,7 @@ use super::input::{Parsed, Tokens, expected, must, told};
 use super::words::{
     direction, hand_point, is_one_of, is_word, keyword, length, mark, must_direction, name, number, text,
 };
-use crate::diagnostics::{Diagnostic, Spanned};
+use crate::diagnostics::Diagnostic;
 use crate::notation::lex::Kind;
 use crate::notation::suggest::nearest;
 use crate::notation::syntax::{Distance, Place, Placement};
@@ -72,6 +72,7 @@ pub(crate) fn placement<'a>(input: Tokens<'a>) -> Parsed<'a, Placement> {
 
 /// A place with its side before or after it: `left ear`, `forehead right`.
 fn sided_place<'a>(input: Tokens<'a>) -> Parsed<'a, (Place, Option<Side>)> {
+    let input = without_the(input);
     let before = side(input);
     // `left` alone is no place: it would be a direction in the wrong tier.
     let from = if before.is_some() { input.skip() } else { input };
@@ -85,6 +86,11 @@ fn sided_place<'a>(input: Tokens<'a>) -> Parsed<'a, (Place, Option<Side>)> {
         (None, Some(side)) => Ok((rest.skip(), (place, Some(side)))),
         (before, None) => Ok((rest, (place, before))),
     }
+}
+
+/// `the left ear` reads as well as `left ear`.
+fn without_the(input: Tokens) -> Tokens {
+    if is_word(input, "the") { input.skip() } else { input }
 }
 
 fn side(input: Tokens) -> Option<Side> {
@@ -131,14 +137,8 @@ fn place<'a>(input: Tokens<'a>, depth: usize) -> Parsed<'a, Place> {
 }
 
 fn named<'a>(input: Tokens<'a>) -> Parsed<'a, Place> {
-    let quoted = input.is(Kind::Text);
-    let (rest, found) = name(input, &STOPS, "a place")?;
-    if quoted {
-        return Ok((rest, Place::Named(found)));
-    }
-    // `the left ear` reads as well as `left ear`.
-    let spoken = found.value.strip_prefix("the ").map(str::to_owned);
-    Ok((rest, Place::Named(Spanned::new(spoken.unwrap_or(found.value), found.span))))
+    let (rest, found) = name(without_the(input), &STOPS, "a place")?;
+    Ok((rest, Place::Named(found)))
 }
 
 fn space<'a>(input: Tokens<'a>) -> Parsed<'a, Place> {
