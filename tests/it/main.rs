@@ -10,6 +10,7 @@ mod motion_easing;
 mod motion_fabrik;
 mod motion_profile;
 mod motion_rotation;
+mod notation_signs;
 mod phonology_handshape;
 mod phonology_location;
 mod phonology_orientation;
