@@ -1,5 +1,5 @@
 // Contact sheets of a lexicon: every sign of a folder at the start, amid and at the end of its stroke, and from the side.
-// usage: node lexicon.mjs lexicon/lsf -o out/lsf [--alphabet] [--only NAME,...] [--binary PATH] [--plain]
+// usage: node lexicon.mjs lexicon/lsf -o out/lsf [--alphabet] [--only NAME,...] [--binary PATH]
 // The folder (or single files) may hold .sign files, which the program renders first, or viewer pages.
 import { execFileSync } from 'node:child_process';
 import { existsSync, mkdirSync, mkdtempSync, readdirSync, rmSync, statSync, writeFileSync } from 'node:fs';
@@ -10,7 +10,7 @@ import { parseArgs } from 'node:util';
 import { withBrowser } from './browser.mjs';
 import { openStudio, pageData } from './studio.mjs';
 
-const USAGE = 'usage: node lexicon.mjs FOLDER|FILE... -o OUT [--alphabet] [--only NAME,...] [--binary PATH] [--plain]';
+const USAGE = 'usage: node lexicon.mjs FOLDER|FILE... -o OUT [--alphabet] [--only NAME,...] [--binary PATH]';
 const SIGNS_A_SHEET = 12, LETTERS_A_SHEET = 30;
 
 // From the head to the hips, with room for raised hands and for elbows.
@@ -26,7 +26,7 @@ function readArguments() {
       allowPositionals: true,
       options: {
         out: { type: 'string', short: 'o' }, alphabet: { type: 'boolean' }, only: { type: 'string' },
-        binary: { type: 'string' }, plain: { type: 'boolean' },
+        binary: { type: 'string' },
       },
     });
     if (!values.out || positionals.length === 0) throw new Error('a folder and -o are needed');
@@ -131,7 +131,7 @@ async function makeSheets(signs, page) {
   const started = performance.now();
   let count = 0;
   await withBrowser(async (context) => {
-    const studio = await openStudio(context, page, { plain: options.plain });
+    const studio = await openStudio(context, page);
     for (let from = 0; from < signs.length; from += perSheet) {
       const some = signs.slice(from, from + perSheet), cells = some.map(cellsOf);
       const rows = Math.ceil(cells.flat().length / columns);
@@ -139,7 +139,7 @@ async function makeSheets(signs, page) {
       let at = 0;
       for (const [i, data] of some.entries()) {
         const placed = cells[i].map((cell) => ({ ...cell, at: at++ }));
-        await studio.shoot(data.glb, placed);
+        await studio.shoot(data, placed);
         count += placed.length;
       }
       const name = path.join(options.out, `${options.alphabet ? 'alphabet' : 'signs'}-${1 + from / perSheet}.png`);

@@ -12,7 +12,7 @@ export function pageData(file) {
 }
 
 /** Runs in the page: a stage of its own, and `studio.shoot`, which draws one motion's cells onto a sheet. */
-async function furnish({ plain }) {
+async function furnish() {
   const { loadAvatar } = await import('avatar.js');
   const { cameraOf } = await import('cameras.js');
   const { Stage } = await import('stage.js');
@@ -47,10 +47,10 @@ async function furnish({ plain }) {
       pen.textBaseline = 'middle';
     },
     /**
-     * Draws cells [{ at, t, camera, label, strong }] of one motion. `at` counts the sheet's cells row by row; `t` is in
+     * Draws cells [{ at, t, camera, label, strong }] of one page's data. `at` counts the sheet's cells row by row; `t` is in
      * seconds, or [from, to]: the moment between them at which the hands are farthest from both ends.
      */
-    async shoot(glb, cells) {
+    async shoot({ glb, still }, cells) {
       const before = avatar;
       avatar = await loadAvatar(Uint8Array.from(atob(glb), (letter) => letter.charCodeAt(0)).buffer);
       if (stage) {
@@ -61,9 +61,9 @@ async function furnish({ plain }) {
         stage = new Stage(document.createElement('canvas'), avatar);
         stage.renderer.setPixelRatio(1);
         stage.renderer.setSize(size.width, size.height, false);
-        // Small cells do not show finer shadows; these cost a quarter of the time.
-        stage.scene.traverse((light) => { if (light.castShadow && light.shadow?.mapSize) light.shadow.mapSize.set(1024, 1024); });
-        if (plain) stage.renderer.shadowMap.enabled = false;
+        // Small cells do not show the fine shadows, which cost a quarter of the time.
+        const fine = size.height > 300 ? 2048 : 1024;
+        stage.scene.traverse((light) => { if (light.castShadow && light.shadow?.mapSize) light.shadow.mapSize.set(fine, fine); });
       }
       let posed = null;
       for (const cell of cells) {
@@ -72,7 +72,7 @@ async function furnish({ plain }) {
         stage.renderer.shadowMap.needsUpdate = posed !== t;
         posed = t;
         const x = (cell.at % size.columns) * size.width, y = Math.floor(cell.at / size.columns) * (size.height + size.strip);
-        stage.drawView(cameraOf(avatar, cell.camera, size.width / size.height), { x: 0, y: 0, width: size.width, height: size.height });
+        stage.drawView(cameraOf(avatar, cell.camera, size.width / size.height, still?.cameras), { x: 0, y: 0, width: size.width, height: size.height });
         pen.drawImage(stage.renderer.domElement, x, y, size.width - 2, size.height - 1);
         pen.fillStyle = cell.strong ? '#ffd479' : '#e4e8f0';
         pen.fillText(Array.isArray(cell.t) ? `${cell.label} ${t.toFixed(2)}` : cell.label, x + 5, y + size.height + size.strip / 2, size.width - 10);
@@ -84,14 +84,14 @@ async function furnish({ plain }) {
   };
 }
 
-/** Opens a studio beside a viewer page, whose program it uses; `plain` leaves the shadows out. */
-export async function openStudio(context, file, { plain = false } = {}) {
+/** Opens a studio beside a viewer page, whose program it uses. */
+export async function openStudio(context, file) {
   const { page, faults } = await openViewer(context, file);
-  await page.evaluate(furnish, { plain });
+  await page.evaluate(furnish);
   return {
     faults,
     open: (sheet) => page.evaluate((sheet) => window.studio.open(sheet), sheet),
-    shoot: (glb, cells) => page.evaluate(([glb, cells]) => window.studio.shoot(glb, cells), [glb, cells]),
+    shoot: ({ glb, still }, cells) => page.evaluate(([data, cells]) => window.studio.shoot(data, cells), [{ glb, still }, cells]),
     picture: async () => Buffer.from((await page.evaluate(() => window.studio.picture())).split(',')[1], 'base64'),
   };
 }
