@@ -7,6 +7,7 @@ pub mod body;
 pub mod diagnostics;
 pub mod format;
 pub mod motion;
+pub mod notation;
 pub mod phonology;
 pub mod synthesis;
 pub mod tier;

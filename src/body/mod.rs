@@ -2,5 +2,7 @@
 
 pub mod arm;
 pub mod hand;
+mod landmark_table;
 pub mod landmarks;
 pub mod signer;
+pub mod skin;

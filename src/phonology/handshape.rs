@@ -1,24 +1,26 @@
-//! TEMPORARY stand-in until the hands branch lands.
-#![allow(missing_docs)]
-use super::*;
-use crate::diagnostics::Error;
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct HandAngles(pub [f64; 21]);
-#[derive(Debug, Clone)]
-pub struct HandshapeInventory { rows: Vec<(String, [f64; 21])> }
-impl HandshapeInventory {
-    pub fn builtin() -> Self {
-        let mut rows = vec![];
-        for l in include_str!("/work/shared/data/phonology/handshapes.tsv").lines().skip(1) {
-            let c: Vec<&str> = l.split('\t').collect();
-            rows.push((c[0].to_string(), std::array::from_fn(|i| c[6 + i].parse::<f64>().unwrap_or(0.0).to_radians())));
-        }
-        Self { rows }
-    }
-    pub fn angles(&self, c: &Configuration, _l: &str) -> Result<HandAngles, Error> {
-        self.rows.iter().find(|r| r.0 == c.base).map(|r| HandAngles(r.1)).ok_or_else(|| Error::new(format!("no {}", c.base)))
-    }
-    pub fn touches_with(&self, _c: &Configuration, _l: &str) -> Result<HandPoint, Error> {
-        Ok(HandPoint::of_digit(Digit::Index, HandPart::Tip).unwrap())
-    }
-}
+//! Handshapes: the inventory (`grammar/handshapes.ron`), and the joint angles a description comes to.
+//!
+//! A handshape is features: how each finger is bent, spread and crossed, and where the thumb stands or what
+//! it touches. Names (inventory rows, letters, HamNoSys classes) stand for such values. The angles in the
+//! table were made on a generic hand; each shape was then solved on the avatar's mesh, and the solved angles
+//! are what [`HandshapeInventory::angles`] gives.
+//!
+//! # Conventions
+//! Radians. Flexion is positive toward the palm; abduction is positive away from the middle finger (for the
+//! middle finger itself: toward the thumb) and is meant as it stands, that is after a bent finger has lost
+//! the share 1 − cos(MCP) of its spread. The thumb's metacarpal points to
+//! d = (sin ρ cos π, cos ρ cos π, sin π) in the hand's axes (toward the thumb's side, toward the fingers, out
+//! of the palm), ρ radial and π palmar abduction; pronation turns the thumb's flexion axis about d.
+//! The angles hold for both hands: the left is the right one's mirror image.
+
+pub mod angles;
+pub mod change;
+pub mod inventory;
+pub mod limits;
+mod row;
+pub mod shape;
+
+pub use angles::{FingerAngles, HandAngles, ThumbAngles};
+pub use inventory::{HandshapeInventory, NotFound};
+pub use limits::{FingerLimits, HandLimits, Limits};
+pub use shape::{Handshape, Solved, ThumbGoal, ThumbPart, ThumbStance, ThumbTarget};

@@ -17,16 +17,19 @@ pub mod grammar;
 pub mod hand;
 pub mod handshape;
 pub mod location;
+mod location_table;
 pub mod movement;
 pub mod movement_table;
 pub mod nonmanual;
 pub mod orientation;
 pub mod placement;
+pub mod roll;
 pub mod sign;
 
 pub use configuration::{Bend, Configuration, HandshapeChange, ThumbPosition};
 pub use direction::{Direction, Heading};
 pub use hand::{Digit, Digits, Flank, Hand, HandPart, HandPoint, Side};
+pub use handshape::{HandAngles, Handshape, HandshapeInventory};
 pub use location::{Location, LocationInventory, LocationKind};
 pub use movement::{
     Action, Clock, Extent, Manner, Motion, Movement, Overlay, Repetition, RepetitionKind, Size, WristMotion,

@@ -11,8 +11,8 @@ use crate::diagnostics::Error;
 use crate::motion::pose::ModelPose;
 use crate::phonology::handshape::HandAngles;
 use crate::phonology::{
-    Configuration, ContactKind, Distance, Hand, HandPart, HandPoint, Hands, Lateral, Orientation, Place, Placement, Side,
-    Sign, Symmetry,
+    Configuration, ContactKind, Distance, Hand, HandPart, HandPoint, Hands, Lateral, Orientation, Place, Placement,
+    Side, Sign, Symmetry,
 };
 use glam::{DQuat, DVec3};
 
@@ -123,7 +123,7 @@ impl Planner<'_> {
         let side = side_of(hand);
         let unsaid = Configuration::named("rest");
         let configuration = said.configuration.at(key).unwrap_or(&unsaid);
-        let angles = self.grammar.handshapes.angles(configuration, &sign.language)?;
+        let angles = self.grammar.angles(configuration, sign)?;
         let stated = said.placement.stated(key);
         let contact = sign.contact.stated(key).copied();
         let mut anchor = match stated {
@@ -133,7 +133,9 @@ impl Planner<'_> {
         let touching = stated.is_some_and(|p| self.touches(p));
         let mut with = match stated.and_then(|p| p.with) {
             Some(point) => Some(self.signer.landmarks.hand_point(side, point)?),
-            None if stated.is_some() || before.is_none() => Some(self.own_point(configuration, sign, side, touching)?),
+            None if stated.is_some() || before.is_none() => {
+                Some(self.own_point(configuration, sign, side, touching)?)
+            }
             None => None,
         };
         if let Some(contact) = contact {
@@ -192,7 +194,7 @@ impl Planner<'_> {
     /// The point that a hand places when none is named: what its shape touches with, or its palm in space.
     fn own_point(&self, shape: &Configuration, sign: &Sign, side: Side, touching: bool) -> Result<ContactPoint, Error> {
         let palm = HandPoint::new(Default::default(), HandPart::Palm, None);
-        let point = if touching { Some(self.grammar.handshapes.touches_with(shape, &sign.language)?) } else { palm };
+        let point = if touching { Some(self.grammar.touches_with(shape, sign)?) } else { palm };
         let point = point.ok_or_else(|| Error::new("a palm has no digits"))?;
         self.signer.landmarks.hand_point(side, point)
     }
@@ -247,7 +249,8 @@ impl Planner<'_> {
         };
         let anchor = match &placement.place {
             Place::Body(name) => {
-                let row = self.grammar.locations.get(name).ok_or_else(|| Error::new(format!("no place is called {name}")))?;
+                let row =
+                    self.grammar.locations.get(name).ok_or_else(|| Error::new(format!("no place is called {name}")))?;
                 let lateral = placement.lateral.or_else(|| self.unsaid_side(sign, side, row.paired, &row.id, meeting));
                 let landmark = landmarks.body_place(&row.id, lateral)?;
                 let from = (landmark.position(self.neutral), landmark.normal(self.neutral));
@@ -305,7 +308,7 @@ impl Planner<'_> {
         let mut at = start.clone();
         for interval in 0..sign.intervals {
             let legs = match said.movement.get(interval) {
-                Some(movement) => lay_out(movement, table, said.alternating),
+                Some(movement) => lay_out(movement, table, said.turns),
                 None => vec![change(table.timing.change)],
             };
             let first = placed.len();

@@ -71,7 +71,12 @@ const SWIVEL_STEP: f64 = 10.0;
 /// Solves an arm over consecutive frames.
 ///
 /// Returns one frame a target. Nothing here fails: what cannot be reached leaves a residual.
-pub fn follow(arm: &ArmRig, clavicle_to_shoulder: DVec3, targets: &[HandTarget], options: &ReachOptions) -> Vec<ArmFrame> {
+pub fn follow(
+    arm: &ArmRig,
+    clavicle_to_shoulder: DVec3,
+    targets: &[HandTarget],
+    options: &ReachOptions,
+) -> Vec<ArmFrame> {
     let chain = Chain { arm, clavicle_to_shoulder, options };
     let swivels = chain.swivels(targets);
     let mut hint = None;
@@ -246,11 +251,8 @@ impl Chain<'_> {
         let guess = elbow_at(self.arm, shoulder, goal, swivel);
         let toward = (goal - guess).normalize_or(DVec3::Z);
         let start = [shoulder, guess, guess + toward * self.arm.fore_m];
-        let options = FabrikOptions {
-            tolerance_m: 1e-5,
-            pole: Pole::WhenStraight(guess - shoulder),
-            ..FabrikOptions::default()
-        };
+        let options =
+            FabrikOptions { tolerance_m: 1e-5, pole: Pole::WhenStraight(guess - shoulder), ..FabrikOptions::default() };
         let solution = reach(start, goal, &options);
         let [shoulder, elbow, wrist] = solution.joints;
         let arm = orient(&self.arm.rest, parent, [shoulder, elbow, wrist], rotation, hint);

@@ -15,7 +15,7 @@ use crate::motion::pose::{LocalPose, ModelPose};
 use crate::motion::rotation::{continuous, twist_angle};
 use crate::motion::skeleton::JointId;
 use crate::phonology::handshape::HandAngles;
-use crate::phonology::{Configuration, Movement, NonManualValue, Place, Side, Sign};
+use crate::phonology::{Configuration, Digit, Movement, NonManualValue, Place, Side, Sign};
 use crate::time::{FrameIndex, Seconds};
 use crate::track::Track;
 use glam::{DQuat, DVec3};
@@ -36,7 +36,7 @@ pub(super) fn perform(
     signer: &Signer,
     options: &Options,
 ) -> Result<Performance, Error> {
-    let relaxed = grammar.handshapes.angles(&Configuration::named("rest"), &sign.language)?;
+    let relaxed = grammar.angles(&Configuration::named("rest"), sign)?;
     let neutral = signer.neutral(&relaxed);
     let model = neutral.to_model(&signer.skeleton);
     let planner = Planner { grammar, signer, neutral: &model };
@@ -254,7 +254,7 @@ impl Writer<'_> {
         let lead = self.grammar.movements.timing.handshape_lead;
         let loose = self.fingers(plan.side, &self.relaxed);
         let shapes: Vec<Fingers> = plan.keys.iter().map(|k| self.fingers(plan.side, &k.angles)).collect();
-        let joints = self.signer.hand(plan.side).joints();
+        let joints = self.joints(plan.side);
         let blend = |a: &Fingers, b: &Fingers, w: f64| -> Fingers {
             if w <= 0.0 {
                 *a
@@ -301,7 +301,13 @@ impl Writer<'_> {
         let hand = self.signer.hand(side);
         let mut pose = self.neutral.clone();
         hand.apply(angles, &mut pose);
-        hand.joints().map(|j| pose.rotation(j))
+        self.joints(side).map(|j| pose.rotation(j))
+    }
+
+    /// The joints of a hand's fingers, thumb first, three a digit.
+    fn joints(&self, side: Side) -> [JointId; 15] {
+        let hand = self.signer.hand(side);
+        std::array::from_fn(|i| hand.joints(Digit::ALL[i / 3])[i % 3])
     }
 
     /// Eases the arm's joints from the neutral pose to the stroke and back (Naert et al. 2021, §4.2).
@@ -414,7 +420,9 @@ impl Writer<'_> {
         }
         if report.tilt > TILT_WARNED {
             let degrees = report.tilt.to_degrees();
-            report.warnings.push(format!("the wrist does not bend that far: a hand is turned {degrees:.0}° from what is stated"));
+            report
+                .warnings
+                .push(format!("the wrist does not bend that far: a hand is turned {degrees:.0}° from what is stated"));
         }
         let whole = report.sign_end.0 - report.stroke_start.0;
         let greatest = self.grammar.movements.timing.greatest_sign;
@@ -431,4 +439,3 @@ fn measure(solved: &[ArmFrame], report: &mut Report) {
         report.tilt = report.tilt.max(frame.tilt);
     }
 }
-

@@ -1,8 +1,13 @@
 //! One integration binary; the tree mirrors `src/`.
+mod body_hand;
+mod body_landmarks;
 mod format_glb;
 mod format_glb_write;
 mod format_html;
 mod layers;
+
+mod format_glb_write;
+mod format_html;
 mod motion_arm;
 mod motion_easing;
 mod motion_fabrik;
@@ -10,3 +15,7 @@ mod motion_profile;
 mod motion_rotation;
 mod phonology_tables;
 mod shared;
+mod notation_signs;
+mod phonology_handshape;
+mod phonology_location;
+mod phonology_orientation;

@@ -1,0 +1,216 @@
+//! The inventory: loading, checking, finding by name.
+
+use super::row::{Level, Row, Table};
+use super::shape::Handshape;
+use crate::diagnostics::{Diagnostic, Source, Span};
+use crate::phonology::grammar::read_table;
+use std::collections::BTreeMap;
+use std::fmt;
+use unicode_normalization::UnicodeNormalization;
+
+/// All handshapes.
+#[derive(Debug, Clone, Default)]
+pub struct HandshapeInventory {
+    levels: BTreeMap<String, Level>,
+    shapes: Vec<Handshape>,
+}
+
+/// Why a name gives no handshape.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum NotFound {
+    /// Nothing is called so; the nearest known name, if one is near.
+    Unknown {
+        /// The name that was looked for.
+        name: String,
+        /// A known name that differs little.
+        nearest: Option<String>,
+    },
+    /// Several are.
+    Ambiguous {
+        /// The name that was looked for.
+        name: String,
+        /// The ids of all that answer to it.
+        ids: Vec<String>,
+    },
+}
+
+impl fmt::Display for NotFound {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            NotFound::Unknown { name, nearest: None } => write!(f, "there is no handshape `{name}`"),
+            NotFound::Unknown { name, nearest: Some(near) } => {
+                write!(f, "there is no handshape `{name}`; did you mean `{near}`?")
+            }
+            NotFound::Ambiguous { name, ids } => write!(f, "`{name}` may be any of the handshapes {}", ids.join(", ")),
+        }
+    }
+}
+
+impl std::error::Error for NotFound {}
+
+impl HandshapeInventory {
+    /// Reads and checks a table.
+    ///
+    /// # Errors
+    /// All faults: text that is not such a table, unknown words, names given twice, angles beyond a hand's limits.
+    pub fn read(source: &Source) -> Result<HandshapeInventory, Vec<Diagnostic>> {
+        HandshapeInventory::default().overridden(source)
+    }
+
+    /// The program's own table.
+    pub fn embedded() -> HandshapeInventory {
+        let text = include_str!("../../../grammar/handshapes.ron");
+        HandshapeInventory::read(&Source::new("grammar/handshapes.ron", text))
+            .expect("the embedded table is read by a test")
+    }
+
+    /// This inventory with the rows of another table added; rows with a known id replace it.
+    ///
+    /// # Errors
+    /// As [`HandshapeInventory::read`].
+    pub fn overridden(mut self, source: &Source) -> Result<HandshapeInventory, Vec<Diagnostic>> {
+        let table: Table = read_table(source).map_err(|fault| vec![fault])?;
+        self.levels.extend(table.levels);
+        let (mut faults, mut from) = (Vec::new(), 0);
+        let mut spans: Vec<(String, Span)> = Vec::new();
+        for row in &table.handshapes {
+            let span = span_of(source, &row.id, from);
+            from = span.end;
+            if let Some((_, first)) = spans.iter().find(|(id, _)| *id == fold(&row.id)) {
+                let message = format!("the handshape `{}` is given twice", row.id);
+                faults.push(Diagnostic::fault(span, message).related(*first, "first here"));
+                continue;
+            }
+            spans.push((fold(&row.id), span));
+            match row.check(&self.levels) {
+                Ok(shape) => self.put(shape),
+                Err((word, message)) => faults.push(Diagnostic::fault(span_of(source, &word, span.start), message)),
+            }
+        }
+        faults.extend(self.aliases_given_twice(source, &table.handshapes));
+        if faults.is_empty() { Ok(self) } else { Err(faults) }
+    }
+
+    fn put(&mut self, shape: Handshape) {
+        match self.shapes.iter_mut().find(|s| fold(&s.id) == fold(&shape.id)) {
+            Some(old) => *old = shape,
+            None => self.shapes.push(shape),
+        }
+    }
+
+    /// Aliases of the new rows that another row has as well, or as its id.
+    fn aliases_given_twice(&self, source: &Source, rows: &[Row]) -> Vec<Diagnostic> {
+        let mut faults = Vec::new();
+        for row in rows {
+            let from = span_of(source, &row.id, 0).start;
+            for alias in &row.aliases {
+                let other = self
+                    .shapes
+                    .iter()
+                    .find(|s| fold(&s.id) != fold(&row.id) && (s.names().any(|name| fold(name) == fold(alias))));
+                if let Some(other) = other {
+                    let message = format!("`{alias}` is a name of `{}` as well", other.id);
+                    faults.push(Diagnostic::fault(span_of(source, alias, from), message));
+                }
+            }
+        }
+        faults
+    }
+
+    /// All handshapes, in the table's order.
+    pub fn shapes(&self) -> &[Handshape] {
+        &self.shapes
+    }
+
+    /// The flexion of a named level: knuckle, middle and last joint, degrees.
+    pub fn level(&self, name: &str) -> Option<(f64, f64, f64)> {
+        self.levels.get(name).copied()
+    }
+
+    /// A handshape by name: in the language's alphabet first (`M` in `lsf` is `LSF M`), then by id, then by any
+    /// alias, with or without its language, that means one handshape only. Letter case does not matter.
+    ///
+    /// # Errors
+    /// An unknown name, with the nearest known one, or a name that several answer to.
+    ///
+    /// ```
+    /// use chereme::phonology::handshape::HandshapeInventory;
+    /// let inventory = HandshapeInventory::embedded();
+    /// assert_eq!(inventory.find("m", Some("lsf")).unwrap().id, "M-lsf");
+    /// assert!(inventory.find("M", None).is_err());
+    /// ```
+    pub fn find(&self, name: &str, language: Option<&str>) -> Result<&Handshape, NotFound> {
+        let wanted = fold(name);
+        let in_language = language.map(|l| fold(&format!("{l} {name}")));
+        let by = |test: &dyn Fn(&Handshape) -> bool| self.shapes.iter().filter(|s| test(s)).collect::<Vec<_>>();
+        if let Some(full) = in_language
+            && let [shape] = by(&|s| s.aliases.iter().any(|a| fold(a) == full))[..]
+        {
+            return Ok(shape);
+        }
+        if let [shape] = by(&|s| fold(&s.id) == wanted)[..] {
+            return Ok(shape);
+        }
+        if let [shape] = by(&|s| s.aliases.iter().any(|a| fold(a) == wanted))[..] {
+            return Ok(shape);
+        }
+        let letter = |a: &String| a.split_once(' ').is_some_and(|(l, rest)| is_language(l) && fold(rest) == wanted);
+        match by(&|s| s.aliases.iter().any(letter))[..] {
+            [shape] => Ok(shape),
+            [] => Err(NotFound::Unknown { name: name.to_owned(), nearest: self.nearest(&wanted) }),
+            ref several => {
+                let ids = several.iter().map(|s| s.id.clone()).collect();
+                Err(NotFound::Ambiguous { name: name.to_owned(), ids })
+            }
+        }
+    }
+
+    fn nearest(&self, wanted: &str) -> Option<String> {
+        let names = self.shapes.iter().flat_map(Handshape::names);
+        let near = names.map(|n| (edits(&fold(n), wanted), n)).min_by_key(|(d, _)| *d)?;
+        (near.0 <= 2 && near.0 < wanted.chars().count()).then(|| near.1.to_owned())
+    }
+}
+
+impl Handshape {
+    /// The id and all aliases.
+    pub fn names(&self) -> impl Iterator<Item = &str> {
+        std::iter::once(self.id.as_str()).chain(self.aliases.iter().map(String::as_str))
+    }
+}
+
+/// Whether a word is the short name of a language, as aliases write it: capitals only.
+fn is_language(word: &str) -> bool {
+    word.len() >= 2 && word.chars().all(char::is_uppercase)
+}
+
+/// The form in which names are compared: NFC, lower case.
+fn fold(name: &str) -> String {
+    name.nfc().flat_map(char::to_lowercase).collect()
+}
+
+/// How many letters must be changed, added or left out (Levenshtein 1966).
+fn edits(a: &str, b: &str) -> usize {
+    let b: Vec<char> = b.chars().collect();
+    let mut row: Vec<usize> = (0..=b.len()).collect();
+    for (i, x) in a.chars().enumerate() {
+        let mut diagonal = row[0];
+        row[0] = i + 1;
+        for (j, y) in b.iter().enumerate() {
+            let change = diagonal + usize::from(x != *y);
+            diagonal = row[j + 1];
+            row[j + 1] = change.min(diagonal + 1).min(row[j] + 1);
+        }
+    }
+    row[b.len()]
+}
+
+/// Where a quoted word stands in the text, from an offset on.
+fn span_of(source: &Source, word: &str, from: usize) -> Span {
+    let from = from.min(source.text.len());
+    let quoted = format!("\"{word}\"");
+    let found = source.text[from..].find(&quoted).map(|i| (from + i, quoted.len()));
+    let found = found.or_else(|| source.text[from..].find(word).map(|i| (from + i, word.len())));
+    let (start, length) = found.unwrap_or((from, 0));
+    Span::new(start, start + length)
+}
