@@ -1,8 +1,8 @@
 //! The `.sign` language: text ↔ [`phonology::Sign`](crate::phonology::Sign).
 //!
 //! A description is written one tier a line, readable aloud; `grammar/notation.ebnf` is the specification.
-//! Two stages: [`parse`] makes a [`syntax::File`] (what was written, with spans and comments), [`lower`] makes
-//! signs of it (what it means); [`raise`] and [`print`] go the other way. `parse ∘ print` is the identity.
+//! Two stages: [`parse()`] makes a [`syntax::File`] (what was written, with spans and comments), [`lower()`] makes
+//! signs of it (what it means); [`raise()`] and [`print()`] go the other way. `parse ∘ print` is the identity.
 //!
 //! All faults of a text come back at once; a sign with a fault is left out, the rest loads.
 //!

@@ -1,4 +1,4 @@
-//! What a sign means to what one would write: [`Sign`] → [`syntax`](super::syntax).
+//! What a sign means to what one would write: [`Sign`] → [`super::syntax`].
 
 use super::lower::default_bulge;
 use super::syntax::{

@@ -1,7 +1,7 @@
 //! What was written in a `.sign` file: lines with their comments, values with their spans.
 //!
 //! This is the text as a tree and nothing more: names are not looked up, keys are not counted, lengths keep
-//! their units. What it means is [`crate::phonology::Sign`]; [`super::lower`] goes there and [`super::raise`] back.
+//! their units. What it means is [`crate::phonology::Sign`]; [`super::lower()`] goes there and [`super::raise()`] back.
 //! Words that mean the same in text and meaning (directions, digits, manners) are the phonology's own types.
 
 use crate::diagnostics::{Span, Spanned};

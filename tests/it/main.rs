@@ -2,9 +2,9 @@
 mod body_hand;
 mod body_landmarks;
 mod format_glb;
-
 mod format_glb_write;
 mod format_html;
+mod layers;
 mod motion_arm;
 mod motion_easing;
 mod motion_fabrik;
@@ -14,3 +14,5 @@ mod notation_signs;
 mod phonology_handshape;
 mod phonology_location;
 mod phonology_orientation;
+mod phonology_tables;
+mod shared;
