@@ -13,7 +13,7 @@ use crate::phonology::{Hand, Hands, Manual, Relation, Sign};
 /// assert!(explain(&reading.signs[0].sign).contains("strong hand configuration: flat (stated)"));
 /// ```
 pub fn explain(sign: &Sign) -> String {
-    let mut out = format!("{}", sign.name);
+    let mut out = sign.name.clone();
     if !sign.language.is_empty() {
         out.push_str(&format!(", a sign of {}", sign.language));
     }
