@@ -63,7 +63,7 @@ impl Expressions {
                 return Err(fault(format!("{}: a morph's weight lies between 0 and 1", row.name)));
             }
             let numbers = [row.turn.0, row.turn.1, row.turn.2, row.raise.0, row.raise.1];
-            if numbers.iter().any(|d| !(d.abs() <= 90.0)) || !(0.0..=10.0).contains(&row.beats) {
+            if !numbers.iter().all(|d| d.abs() <= 90.0) || !(0.0..=10.0).contains(&row.beats) {
                 return Err(fault(format!("{}: degrees lie within ±90, beats between 0 and 10", row.name)));
             }
             let twice = checked.iter().any(|(c, other)| *c == channel && other.answers_to(&row.name));

@@ -23,6 +23,7 @@ pub mod movement_table;
 pub mod nonmanual;
 pub mod orientation;
 pub mod placement;
+pub mod roll;
 pub mod sign;
 
 pub use configuration::{Bend, Configuration, HandshapeChange, ThumbPosition};

@@ -308,7 +308,7 @@ impl Planner<'_> {
         let mut at = start.clone();
         for interval in 0..sign.intervals {
             let legs = match said.movement.get(interval) {
-                Some(movement) => lay_out(movement, table, said.alternating),
+                Some(movement) => lay_out(movement, table, said.turns),
                 None => vec![change(table.timing.change)],
             };
             let first = placed.len();

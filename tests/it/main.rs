@@ -19,3 +19,4 @@ mod notation_signs;
 mod phonology_handshape;
 mod phonology_location;
 mod strategies;
+mod phonology_orientation;
