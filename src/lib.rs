@@ -4,6 +4,7 @@
 
 pub mod avatar;
 pub mod body;
+pub mod cli;
 pub mod diagnostics;
 pub mod format;
 pub mod motion;

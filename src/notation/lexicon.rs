@@ -173,3 +173,9 @@ fn take(source: Source, reading: Reading, layer: usize, found: &mut BTreeMap<(St
     diagnostics.sort_by_key(|d| d.span.start);
     Checked { source, diagnostics, signs }
 }
+
+/// The texts of the lexicon that comes with the program.
+pub fn embedded() -> impl Iterator<Item = Source> {
+    const FILES: &[(&str, &str)] = include!(concat!(env!("OUT_DIR"), "/lexicon.rs"));
+    FILES.iter().map(|(path, text)| Source::new(*path, *text))
+}

@@ -81,6 +81,17 @@ impl Expressions {
         Expressions::read(&source).expect("the embedded table is read by a test")
     }
 
+    /// These values with those of another table put in place of the ones of the same tier and name, or added.
+    pub fn overridden_by(mut self, other: Expressions) -> Expressions {
+        for (channel, row) in other.rows {
+            match self.rows.iter_mut().find(|(c, r)| *c == channel && r.name.eq_ignore_ascii_case(&row.name)) {
+                Some(old) => *old = (channel, row),
+                None => self.rows.push((channel, row)),
+            }
+        }
+        self
+    }
+
     /// A value of a tier, by its name or an alias, letter case aside.
     ///
     /// ```

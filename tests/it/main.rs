@@ -2,6 +2,8 @@
 mod body_hand;
 mod body_landmarks;
 mod format_glb;
+
+mod cli;
 mod format_glb_write;
 mod format_html;
 mod layers;
@@ -10,9 +12,14 @@ mod motion_easing;
 mod motion_fabrik;
 mod motion_profile;
 mod motion_rotation;
+mod notation_errors;
+mod notation_format;
+mod notation_laws;
+mod notation_lexicon;
 mod notation_signs;
 mod phonology_handshape;
 mod phonology_location;
+mod strategies;
 mod phonology_orientation;
 mod phonology_tables;
 mod shared;

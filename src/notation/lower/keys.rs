@@ -12,6 +12,8 @@ use crate::phonology::{Keys, Sign};
 pub(super) struct Tally {
     /// The number of intervals, once settled.
     pub intervals: usize,
+    /// Whether a line could not be read: then the count may be wrong, and nothing is said of it.
+    incomplete: bool,
     /// The tier that counts: its count, name and place.
     counted: Option<(usize, &'static str, Span)>,
     moves: bool,
@@ -26,6 +28,11 @@ struct TierCount {
 }
 
 impl Tally {
+    /// Nothing counted yet; `incomplete` where a line of the sign could not be read.
+    pub(super) fn new(incomplete: bool) -> Tally {
+        Tally { incomplete, ..Tally::default() }
+    }
+
     /// A movement tier.
     pub(super) fn movements(&mut self, count: usize, span: Span, faults: &mut Vec<Diagnostic>) {
         match self.counted {
@@ -33,7 +40,7 @@ impl Tally {
                 self.counted = Some((count, "movement", span));
                 self.moves = true;
             }
-            Some((first, _, there)) if first != count => faults.push(
+            Some((first, _, there)) if first != count && !self.incomplete => faults.push(
                 Diagnostic::fault(span, format!("the hands have {first} and {count} movements"))
                     .label(format!("{count} here"))
                     .related(there, format!("{first} here"))
@@ -78,7 +85,11 @@ impl Tally {
             return None;
         }
         for tier in &self.tiers {
-            if tier.placed.iter().all(Option::is_none) && tier.count != 1 && tier.count != self.intervals + 1 {
+            if !self.incomplete
+                && tier.placed.iter().all(Option::is_none)
+                && tier.count != 1
+                && tier.count != self.intervals + 1
+            {
                 faults.push(self.miscounted(tier));
             }
         }
@@ -120,6 +131,8 @@ impl Tally {
             Key::Start => Some(0),
             Key::End => Some(last),
             Key::Middle if last > 0 && last.is_multiple_of(2) => Some(last / 2),
+            Key::Number(n) if n >= 1 && n <= last + 1 => Some(n - 1),
+            Key::Middle | Key::Number(_) if self.incomplete => None,
             Key::Middle => {
                 let made = if last == 1 { "1 movement has".to_owned() } else { format!("{last} movements have") };
                 faults.push(
@@ -129,7 +142,6 @@ impl Tally {
                 );
                 None
             }
-            Key::Number(n) if n >= 1 && n <= last + 1 => Some(n - 1),
             Key::Number(n) => {
                 faults.push(
                     Diagnostic::fault(at.span, format!("there is no key {n}"))

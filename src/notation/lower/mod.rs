@@ -74,12 +74,11 @@ pub fn lower(file: &File, vocabulary: &Vocabulary, language: &str, diagnostics: 
     }
     let mut signs = Vec::new();
     for block in blocks {
-        let before = diagnostics.iter().filter(|d| d.severity == Severity::Fault).count();
-        let sign = block.lower(vocabulary, &language, diagnostics);
-        let after = diagnostics.iter().filter(|d| d.severity == Severity::Fault).count();
-        if let (Some(lowered), false) = (sign, block.broken || after > before) {
-            signs.push(lowered);
-        }
+        let mut faults = Vec::new();
+        let sign = block.lower(vocabulary, &language, &mut faults);
+        let sound = !block.broken && faults.iter().all(|d| d.severity != Severity::Fault);
+        signs.extend(sign.filter(|_| sound));
+        diagnostics.append(&mut faults);
     }
     signs
 }
@@ -110,7 +109,10 @@ impl<'f> Block<'f> {
         self.twice(faults);
         let hands_span = self.header(&mut sign);
         let manual = self.manual_tiers();
-        self.check_hands(&sign, hands_span, faults);
+        // A line that could not be read may be the one that says the hands or the movements.
+        if !self.broken {
+            self.check_hands(&sign, hands_span, faults);
+        }
         let tally = self.tally(&manual, faults)?;
         sign.intervals = tally.intervals;
         let names = Names { vocabulary, language };
@@ -213,7 +215,7 @@ impl<'f> Block<'f> {
 
     /// How many intervals the sign has.
     fn tally(&self, manual: &[Written], faults: &mut Vec<Diagnostic>) -> Option<Tally> {
-        let mut tally = Tally::default();
+        let mut tally = Tally::new(self.broken);
         for written in manual {
             if let Some((movements, span)) = written.movement {
                 tally.movements(movements.len(), span, faults);

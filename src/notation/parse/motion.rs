@@ -72,6 +72,11 @@ fn no_motion<'a, T>(input: Tokens<'a>) -> Parsed<'a, T> {
     if word.starts_with(|c: char| c.is_ascii_digit()) {
         return told(fault.hint("the direction comes before the size: `up 10cm`"));
     }
+    if word.split('-').all(|part| part.parse::<Direction>().is_ok()) {
+        return told(
+            fault.hint("each axis of a direction is said once; movements that follow each other are joined by `then`"),
+        );
+    }
     if is_one_of(word, &["zigzag", "wavy"]) {
         return told(fault.hint(format!("say the direction first: `left 20cm {word}`")));
     }

@@ -112,6 +112,13 @@ pub(crate) fn hands<'a>(input: Tokens<'a>) -> Parsed<'a, Hands> {
                 Diagnostic::fault(input.span(), "two hands are `both`").label("here").hint("write `hands both`"),
             );
         }
+        if is_word(input, "mirrored") || is_word(input, "parallel") {
+            return told(
+                Diagnostic::fault(input.span(), format!("`{word}` is said of both hands"))
+                    .label("here")
+                    .hint(format!("write `hands both {word}`")),
+            );
+        }
         return expected(input, "`one`, `weak` or `both`");
     }
     let mut rest = input.skip();
