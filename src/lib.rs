@@ -2,6 +2,7 @@
 //!
 //! See docs/ARCHITECTURE.md for the map and docs/DESIGN.md for the decisions.
 
+pub mod avatar;
 pub mod body;
 pub mod diagnostics;
 pub mod format;

@@ -1,14 +1,15 @@
 // Cameras: the fixed views, and the close-ups that follow the face and the hands.
 // Model space: metres, Y up, the signer faces +Z, the signer's left is +X.
 import { PerspectiveCamera, Quaternion, Vector3 } from 'three';
+import { LAYERS, LONE_OUTLINES } from './avatar.js';
 
 /** The views of the whole upper body, in the order of keys 1 to 5. */
 export const VIEWS = {
-  front: { position: [0, 1.3, 2.45], target: [0, 1.2, 0], fov: 29 },
+  front: { position: [0, 1.33, 2.28], target: [0, 1.27, 0], fov: 29 },
   signer: { eyes: true, fov: 78 },
-  right: { position: [-2.4, 1.3, 0.2], target: [0, 1.2, 0.1], fov: 29 },
-  left: { position: [2.4, 1.3, 0.2], target: [0, 1.2, 0.1], fov: 29 },
-  top: { position: [0, 3.35, 0.32], target: [0, 1.1, 0.26], fov: 30 },
+  right: { position: [-2.3, 1.33, 0.2], target: [0, 1.27, 0.12], fov: 29 },
+  left: { position: [2.3, 1.33, 0.2], target: [0, 1.27, 0.12], fov: 29 },
+  top: { position: [0, 3.05, 0.26], target: [0, 1.1, 0.2], fov: 30 },
 };
 export const HAND_SIDES = ['front', 'palm', 'back'];
 const NAMES = ['right', 'left'];
@@ -33,6 +34,9 @@ function aim(camera, spec) {
   camera.up.fromArray(spec.up || [0, 1, 0]);
   camera.position.fromArray(spec.position);
   camera.lookAt(new Vector3().fromArray(spec.target));
+  camera.userData.alone = Boolean(spec.only);
+  const layers = spec.only ? [LAYERS[spec.only], LONE_OUTLINES[spec.only]] : Object.values(LAYERS);
+  for (const layer of layers) camera.layers.enable(layer);
   return camera;
 }
 
@@ -61,8 +65,8 @@ function hand(avatar, name, side) {
   const fingers = new Vector3(name === 'left' ? 1 : -1, 0, 0).applyQuaternion(turn);
   const from = side === 'palm' ? palm : palm.negate();
   const position = centre.clone().addScaledVector(from, distance);
-  // Whatever stands between camera and hand (often the chest) is cut away.
-  return { position: position.toArray(), target: centre.toArray(), fov: 25, up: fingers.toArray(), near: distance - 0.15 };
+  // Chest and other hand often stand in between, so this hand is drawn alone.
+  return { position: position.toArray(), target: centre.toArray(), fov: 25, up: fingers.toArray(), only: name };
 }
 
 /**
@@ -86,12 +90,12 @@ export function cameraOf(avatar, spec, aspect, extra = {}) {
 export function resolve(avatar, view) {
   if (!view.eyes) return view;
   const eyes = eyePoint(avatar);
-  return { position: eyes.toArray(), target: [eyes.x, eyes.y - 0.36, eyes.z + 0.42], fov: view.fov, near: 0.09 };
+  return { position: eyes.toArray(), target: [eyes.x, eyes.y - 0.44, eyes.z + 0.38], fov: view.fov, near: 0.09 };
 }
 
 /** Steps back where the picture is so narrow that the arms would leave it. */
 export function fit(view, aspect) {
-  const needed = 0.92;
+  const needed = 1;
   if (aspect >= needed || view.near) return view;
   const from = new Vector3().fromArray(view.position), to = new Vector3().fromArray(view.target);
   return { ...view, position: from.sub(to).multiplyScalar(needed / aspect).add(to).toArray() };

@@ -31,7 +31,7 @@ export class Stage {
 
   /** One strong key light from the viewer's upper left with soft shadow, a weak sky, and a rim from behind. */
   light() {
-    const key = new DirectionalLight(0xfff4e6, 2.7);
+    const key = new DirectionalLight(0xfff4e6, 2.3);
     key.position.set(-1.15, 2.75, 1.75);
     key.target.position.set(0, 1.15, 0.1);
     key.castShadow = true;
@@ -40,10 +40,10 @@ export class Stage {
     key.shadow.radius = 3;
     key.shadow.bias = -0.0006;
     key.shadow.normalBias = 0.004;
-    const rim = new DirectionalLight(0xcfe0ff, 1.3);
+    const rim = this.rim = new DirectionalLight(0xcfe0ff, 1.3);
     rim.position.set(1.4, 1.9, -1.6);
     rim.target.position.set(0, 1.2, 0);
-    this.head = new DirectionalLight(0xffffff, 0.45); // stands at the camera of each view
+    this.head = new DirectionalLight(0xffffff, 1.0); // goes with the camera of each view
     this.scene.add(new HemisphereLight(0xe9f0ff, 0x54443c, 0.95), key, key.target, rim, rim.target, this.head, this.head.target);
   }
 
@@ -67,9 +67,13 @@ export class Stage {
     camera.aspect = box.width / box.height;
     camera.updateProjectionMatrix();
     camera.updateMatrixWorld(true);
-    this.head.position.copy(camera.position);
-    this.head.target.position.copy(camera.position).add(camera.getWorldDirection(new Vector3()));
+    // From the upper left of the picture, so that fingers facing the camera keep a lit and a dark side.
+    this.head.position.copy(camera.localToWorld(new Vector3(-0.9, 0.9, 0)));
+    this.head.target.position.copy(camera.localToWorld(new Vector3(0, 0, -1)));
     this.head.target.updateMatrixWorld();
+    // A hand alone is lit for its camera: turned to the chest, it would get flat light only.
+    this.head.intensity = camera.userData.alone ? 2.4 : 0.9;
+    this.rim.intensity = camera.userData.alone ? 0.15 : 1.3;
     const pixels = box.height * this.renderer.getPixelRatio();
     const lines = Math.max(1.1, pixels / 420); // wider in large pictures, never thinner than a pixel
     this.avatar.outline.userData.width.value = 2 * Math.tan(MathUtils.degToRad(camera.fov) / 2) / pixels * lines;

@@ -22,7 +22,7 @@ export class Timeline {
     this.colour = (name) => style.getPropertyValue(`--${name}`).trim();
   }
 
-  get gutter() { return this.rows.clientWidth < 560 ? 92 : 138; }
+  get gutter() { return this.rows.clientWidth < 560 ? 106 : 138; }
   x(t) { return this.gutter + (t - this.from) / (this.to - this.from) * (this.rows.clientWidth - this.gutter - 10); }
   time(x) {
     const share = (x - this.gutter) / (this.rows.clientWidth - this.gutter - 10);

@@ -2,4 +2,6 @@
 
 pub mod arm;
 pub mod hand;
+pub mod landmarks;
+pub mod signer;
 pub mod skin;

@@ -4,3 +4,4 @@
 //! return bytes or text. Nothing here opens a file or knows what a sign is.
 
 pub mod glb;
+pub mod html;

@@ -16,7 +16,9 @@
 //! Rest directions of no length or a hinge along the bone ([`ArmRest::new`]). Where the arm is straight the
 //! roll cannot be read from positions: it is kept from the [`ArmHint`].
 
-use super::rotation::{direction, from_vector, perpendicular, shortest_arc, swing_twist, to_vector, twist_angle, unit, unwrap_near};
+use super::rotation::{
+    direction, from_vector, perpendicular, shortest_arc, swing_twist, to_vector, twist_angle, unit, unwrap_near,
+};
 use glam::{DMat3, DQuat, DVec3};
 
 /// Below this flexion (.1°) the roll is the hint's; from there to [`ROLL_SEEN`] it passes to the positions'.

@@ -16,6 +16,7 @@ pub mod expression;
 pub mod grammar;
 pub mod hand;
 pub mod handshape;
+pub mod location;
 pub mod movement;
 pub mod movement_table;
 pub mod nonmanual;
@@ -27,6 +28,7 @@ pub use configuration::{Bend, Configuration, HandshapeChange, ThumbPosition};
 pub use direction::{Direction, Heading};
 pub use hand::{Digit, Digits, Flank, Hand, HandPart, HandPoint, Side};
 pub use handshape::{HandAngles, Handshape, HandshapeInventory};
+pub use location::{Location, LocationInventory, LocationKind};
 pub use movement::{
     Action, Clock, Extent, Manner, Motion, Movement, Overlay, Repetition, RepetitionKind, Size, WristMotion,
 };

@@ -168,9 +168,12 @@ impl MovementTable {
     /// The place where the text is not such a table; a number that is not finite or not above 0.
     pub fn read(source: &Source) -> Result<MovementTable, Diagnostic> {
         let table: MovementTable = read_table(source)?;
-        let sizes = [table.straight, table.circle_radius, table.arc_depth, table.wave_amplitude]
-            .into_iter()
-            .chain([table.wrist.nod, table.wrist.swing, table.wrist.twist, table.wrist.stir]);
+        let sizes = [table.straight, table.circle_radius, table.arc_depth, table.wave_amplitude].into_iter().chain([
+            table.wrist.nod,
+            table.wrist.swing,
+            table.wrist.twist,
+            table.wrist.stir,
+        ]);
         let numbers = [table.waves, table.wrist.frequency, table.wiggle.amplitude, table.wiggle.frequency];
         let sound = sizes.into_iter().all(BySize::sound)
             && numbers.iter().all(|v| v.is_finite() && *v > 0.0)

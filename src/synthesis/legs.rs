@@ -155,12 +155,8 @@ fn repeated(leg: Leg, action: &Action, table: &MovementTable, alternating: bool)
         let again = if i == 0 { 1.0 } else { table.timing.again };
         let sized = |path: &Path| if size == 1.0 { path.clone() } else { Path::Scaled(size, Box::new(path.clone())) };
         let first = legs.len();
-        let perform = |path: Path, posture: (f64, f64)| Leg {
-            path,
-            posture,
-            duration: leg.duration * again,
-            ..leg.clone()
-        };
+        let perform =
+            |path: Path, posture: (f64, f64)| Leg { path, posture, duration: leg.duration * again, ..leg.clone() };
         match repetition.kind {
             RepetitionKind::FromStart => {
                 legs.push(perform(sized(&there), (0.0, 1.0)));
@@ -238,14 +234,12 @@ fn simple_leg(movement: &Movement, table: &MovementTable, alternating: bool) -> 
     match movement {
         Movement::Action(action) => leg_of(action, table, alternating),
         Movement::Sequence(parts) => join(parts, Path::Chain, |all| all.iter().sum()),
-        Movement::Together(parts) => {
-            join(parts, |p| Path::Sum(p.into_iter().map(|(_, path)| path).collect()), longest)
-        }
-        Movement::Fused(parts) => {
-            join(parts, |p| Path::Fused(p.into_iter().map(|(_, path)| path).collect()), |all| {
-                all.iter().sum::<f64>() * 0.7
-            })
-        }
+        Movement::Together(parts) => join(parts, |p| Path::Sum(p.into_iter().map(|(_, path)| path).collect()), longest),
+        Movement::Fused(parts) => join(
+            parts,
+            |p| Path::Fused(p.into_iter().map(|(_, path)| path).collect()),
+            |all| all.iter().sum::<f64>() * 0.7,
+        ),
     }
 }
 

@@ -55,6 +55,28 @@ impl<'a> Container<'a> {
         }
         Ok(Container { json, bin })
     }
+
+    /// Puts a file together; both chunks are padded to four bytes.
+    pub(super) fn to_bytes(&self) -> Result<Vec<u8>, Error> {
+        let mut json = self.json.to_string().into_bytes();
+        json.resize(json.len().next_multiple_of(4), b' ');
+        let mut bin = self.bin.to_vec();
+        bin.resize(bin.len().next_multiple_of(4), 0);
+        let length = 12 + 8 + json.len() + 8 + bin.len();
+        let number = |n: usize| {
+            u32::try_from(n)
+                .map(u32::to_le_bytes)
+                .map_err(|_| Error::new("the motion is too long for a GLB file (4 GB)"))
+        };
+        let mut bytes = Vec::with_capacity(length);
+        for (length, kind, data) in [(json.len(), JSON, &json), (bin.len(), BIN, &bin)] {
+            bytes.extend(number(length)?);
+            bytes.extend(kind.to_le_bytes());
+            bytes.extend(data);
+        }
+        let header = [MAGIC.to_le_bytes(), 2_u32.to_le_bytes(), number(length)?].concat();
+        Ok([header, bytes].concat())
+    }
 }
 
 /// The chunk at an offset: its kind, its bytes, and where the next one begins.

@@ -168,7 +168,7 @@ fn part(
         }
         None => (0..count as u32).collect(),
     };
-    if corners.len() % 3 != 0 || corners.iter().any(|&c| c as usize >= count) {
+    if !corners.len().is_multiple_of(3) || corners.iter().any(|&c| c as usize >= count) {
         return Err(Error::new("a triangle has no third corner, or a corner that is no vertex"));
     }
     let (mut of, mut weights) = (Vec::new(), Vec::new());
@@ -191,4 +191,14 @@ fn part(
         primitive.material.and_then(|m| document.materials.get(m)).map_or_else(String::new, |m| m.name.clone());
     let triangles = corners.chunks_exact(3).map(|c| [c[0], c[1], c[2]]).collect();
     Ok(GlbPart { mesh: String::new(), material, positions, normals, triangles, joints: of, weights, morphs })
+}
+
+/// The names of the face morphs, without reading any mesh: those of the first mesh that names its targets.
+///
+/// # Errors
+/// Bytes that are no GLB file. A file without morphs has no names.
+pub fn morph_names(bytes: &[u8]) -> Result<Vec<String>, Error> {
+    let Container { json, .. } = Container::parse(bytes)?;
+    let named = json["meshes"].as_array().into_iter().flatten().find_map(|m| m["extras"]["targetNames"].as_array());
+    Ok(named.into_iter().flatten().filter_map(|n| n.as_str().map(str::to_string)).collect())
 }

@@ -11,7 +11,7 @@
 //! the residual. No vector is touched between the first and the last iteration; the iterates are those of
 //! [`super::solve_chain`].
 
-use super::{Options, Outcome, PRE_BEND, Solution, bend_side};
+use super::{Options, Outcome, PRE_BEND, Solution, bend_side, within};
 use crate::motion::rotation::direction;
 use crate::motion::two_bone::distance_at;
 use glam::DVec3;
@@ -30,10 +30,15 @@ impl Plane {
     }
 
     /// The elbow's `x` after one iteration, from the one before and its distance to the target.
+    ///
+    /// Both passes with numerator and root multiplied by d: two roots and one division in all.
     fn iterate(&self, x: f64, distance: f64) -> f64 {
-        let back = self.fore / distance * (x - self.reach);
-        let square = self.reach * self.reach + self.fore * self.fore + 2.0 * self.reach * back;
-        self.upper * (self.reach + back) / square.max(TINY).sqrt()
+        let back = self.fore * (x - self.reach);
+        let scaled = distance * (self.reach * self.reach + self.fore * self.fore) + 2.0 * self.reach * back;
+        let square = distance * scaled;
+        let x = self.upper * (distance * self.reach + back) / square.max(TINY).sqrt();
+        // On the circle, also where rounding has left nothing of the square.
+        x.clamp(-self.upper, self.upper)
     }
 }
 
@@ -69,6 +74,11 @@ pub fn solve_arm(start: [DVec3; 3], target: DVec3, options: &Options) -> Solutio
         let residual_m = (target - wrist).length().min(f64::MAX);
         return Solution { joints: start, residual_m, iterations: 0, outcome: Outcome::Refused };
     }
+    let tolerance = options.tolerance_m.max(0.0);
+    if options.may_stay() && wrist.distance_squared(target) <= tolerance * tolerance {
+        let residual_m = wrist.distance(target);
+        return Solution { joints: start, residual_m, iterations: 0, outcome: Outcome::Converged };
+    }
     let (upper, fore, wanted) = (upper_square.sqrt(), fore_square.sqrt(), reach_square.sqrt());
     let axis = if wanted > 1e-12 { gap * (1.0 / wanted) } else { direction(first).unwrap_or(DVec3::X) };
 
@@ -87,14 +97,13 @@ pub fn solve_arm(start: [DVec3; 3], target: DVec3, options: &Options) -> Solutio
 
     let x = first.dot(axis);
     let across = first - axis * x;
-    let straight = across.length_squared() < upper_square * (PRE_BEND_SINE * PRE_BEND_SINE);
+    let straight = across.length_squared() <= upper_square * (PRE_BEND_SINE * PRE_BEND_SINE);
     let side = bend_side(across, straight, axis, options.pole);
     let mut x = if straight { upper * PRE_BEND_COSINE.copysign(x) } else { x };
 
     let flat = reach <= (upper - fore).abs() || reach >= upper + fore;
     let mut iterations = 0;
     let mut outcome = Outcome::Converged;
-    let tolerance = options.tolerance_m.max(0.0);
     if flat {
         // Stretched or folded flat: on the line, exactly.
         x = if reach >= upper + fore || upper >= fore { upper } else { -upper };
@@ -107,7 +116,7 @@ pub fn solve_arm(start: [DVec3; 3], target: DVec3, options: &Options) -> Solutio
     let mut distance = plane.to_target(x);
     loop {
         let off = (distance - fore).abs();
-        if off <= tolerance && (iterations > 0 || missed > 0.0 || (wrist - target).length() > tolerance) {
+        if off <= tolerance && iterations > 0 {
             break;
         }
         if iterations == options.max_iterations {
@@ -122,8 +131,17 @@ pub fn solve_arm(start: [DVec3; 3], target: DVec3, options: &Options) -> Solutio
     let y = ((upper - x) * (upper + x)).sqrt();
     let bone = axis * x + side * y;
     let aim = axis * reach;
-    let tip = bone + (aim - bone) * (fore / (aim - bone).length().max(TINY));
+    let mut along = (aim - bone) * (1.0 / (aim - bone).length().max(TINY));
+    if let (Some(limits), Some(before)) = (options.limits, direction(bone)) {
+        along = within(before, along, limits);
+    }
+    let tip = bone + along * fore;
     let residual_m = (gap - tip).length();
-    let outcome = if missed > tolerance { short } else { outcome };
+    if missed > tolerance {
+        outcome = short;
+    } else if outcome == Outcome::Converged && residual_m > tolerance + 1e-12 {
+        // The tolerance had bent the elbow past its limit, and the final clamp took that back.
+        outcome = Outcome::Limited;
+    }
     Solution { joints: [shoulder, shoulder + bone, shoulder + tip], residual_m, iterations, outcome }
 }

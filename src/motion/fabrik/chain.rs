@@ -1,6 +1,6 @@
 //! FABRIK for a chain of any number of joints.
 
-use super::{InnerAngles, Options, Outcome, PRE_BEND, Solution, bend_side};
+use super::{InnerAngles, Options, Outcome, PRE_BEND, Solution, bend_side, within};
 use crate::motion::rotation::{direction, perpendicular};
 use glam::{DQuat, DVec3};
 
@@ -32,7 +32,7 @@ pub fn solve_chain(start: &[DVec3], target: DVec3, options: &Options) -> Solutio
         return Solution { joints, residual_m, iterations: 0, outcome: Outcome::Refused };
     }
     let tolerance = options.tolerance_m.max(0.0);
-    if residual_m <= tolerance && options.limits.is_none() {
+    if residual_m <= tolerance && options.may_stay() {
         return Solution { joints, residual_m, iterations: 0, outcome: Outcome::Converged };
     }
     if wanted >= total && options.limits.is_none() {
@@ -125,16 +125,4 @@ fn base_to_tip(joints: &mut [DVec3], lengths: &[f64], base: DVec3, limits: Optio
         joints[i + 1] = joints[i] + along * lengths[i];
         before = Some(along);
     }
-}
-
-/// The direction nearest to `along` whose inner angle with the bone before (of direction `before`) is allowed.
-fn within(before: DVec3, along: DVec3, limits: InnerAngles) -> DVec3 {
-    let outer = 2.0 * (along - before).length().atan2((along + before).length());
-    let inner = std::f64::consts::PI - outer;
-    let ordered = limits.least <= limits.greatest;
-    if !ordered || (limits.least..=limits.greatest).contains(&inner) {
-        return along;
-    }
-    let outer = std::f64::consts::PI - inner.clamp(limits.least, limits.greatest);
-    before * outer.cos() + perpendicular(along, before) * outer.sin()
 }

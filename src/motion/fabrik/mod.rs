@@ -72,6 +72,13 @@ impl Default for Options {
     }
 }
 
+impl Options {
+    /// Whether a start whose tip is on the target already is the answer.
+    fn may_stay(&self) -> bool {
+        self.limits.is_none() && !matches!(self.pole, Pole::Always(_))
+    }
+}
+
 /// How a solve ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Outcome {
@@ -114,6 +121,20 @@ fn bend_side(across: DVec3, straight: bool, axis: DVec3, pole: Pole) -> DVec3 {
     match pole {
         Pole::Always(toward) => perpendicular(toward, axis),
         Pole::WhenStraight(toward) if straight => perpendicular(toward, axis),
+        // Bent, so `across` is perpendicular already and far from zero.
+        Pole::WhenStraight(_) | Pole::Inherited if !straight => across * (1.0 / across.length()),
         Pole::WhenStraight(_) | Pole::Inherited => perpendicular(across, axis),
     }
+}
+
+/// The direction nearest to `along` whose inner angle with the bone before (of direction `before`) is allowed.
+fn within(before: DVec3, along: DVec3, limits: InnerAngles) -> DVec3 {
+    let outer = 2.0 * (along - before).length().atan2((along + before).length());
+    let inner = std::f64::consts::PI - outer;
+    let ordered = limits.least <= limits.greatest;
+    if !ordered || (limits.least..=limits.greatest).contains(&inner) {
+        return along;
+    }
+    let outer = std::f64::consts::PI - inner.clamp(limits.least, limits.greatest);
+    before * outer.cos() + perpendicular(along, before) * outer.sin()
 }

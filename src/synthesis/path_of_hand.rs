@@ -1,0 +1,143 @@
+//! Where a hand is at an instant of the stroke: point, rotation, fingers.
+
+use super::legs::{Leg, posture_at};
+use super::plan::{HandPlan, PlacedLeg};
+use crate::motion::easing::Easing;
+use crate::motion::pose::ModelPose;
+use crate::phonology::WristMotion;
+use glam::{DQuat, DVec3};
+use std::f64::consts::TAU;
+
+/// A hand at an instant of the stroke.
+#[derive(Debug, Clone, Copy)]
+pub struct Instant {
+    /// The leg, if there is one.
+    leg: Option<usize>,
+    /// The share of the leg's time.
+    share: f64,
+    /// The key before.
+    pub key: usize,
+    /// How much of the change to the key after is done, 0 to 1.
+    pub done: f64,
+}
+
+/// The instant of a hand `time` seconds after the stroke's start, at the description's own speed.
+pub fn instant(plan: &HandPlan, time: f64, easing: Easing) -> Instant {
+    let mut left = time.max(0.0);
+    for (i, placed) in plan.legs.iter().enumerate() {
+        let last = i + 1 == plan.legs.len();
+        if left < placed.leg.duration || last {
+            let share = (left / placed.leg.duration).clamp(0.0, 1.0);
+            let done = posture_at(&placed.leg, share, easing);
+            return Instant { leg: Some(i), share, key: placed.interval, done };
+        }
+        left -= placed.leg.duration;
+    }
+    Instant { leg: None, share: 0.0, key: 0, done: 0.0 }
+}
+
+impl Instant {
+    /// The leg under way and the share of its time.
+    pub fn leg<'a>(&self, plan: &'a HandPlan) -> Option<(&'a PlacedLeg, f64)> {
+        self.leg.map(|i| (&plan.legs[i], self.share))
+    }
+
+    /// Where the contact point should be, given the body in model space.
+    pub fn point(&self, plan: &HandPlan, model: &ModelPose) -> DVec3 {
+        match self.leg(plan) {
+            None => plan.start.position(model),
+            Some((placed, share)) => point_of(placed, share, model),
+        }
+    }
+
+    /// The hand's rotation, without the wrist's play.
+    pub fn rotation(&self, plan: &HandPlan, easing: Easing, model: &ModelPose) -> DQuat {
+        let (a, b) = (&plan.keys[self.key], &plan.keys[(self.key + 1).min(plan.keys.len() - 1)]);
+        let turned = match self.done {
+            d if d <= 0.0 => a.rotation,
+            d if d >= 1.0 => b.rotation,
+            // Eased already: the posture's share follows the easing.
+            d => crate::motion::easing::slerp(a.rotation, b.rotation, d),
+        };
+        let _ = easing;
+        if !a.along_path {
+            return turned;
+        }
+        let Some((placed, share)) = self.leg(plan) else { return turned };
+        let way = |s: f64| {
+            let (s0, s1) = ((s - 0.02).max(0.0), (s + 0.02).min(1.0));
+            point_of(placed, s1, model) - point_of(placed, s0, model)
+        };
+        crate::motion::rotation::shortest_arc(way(0.02), way(share), DVec3::Y) * turned
+    }
+
+    /// The wrist's play on top, in the hand's own axes; `out` is +1 for the left hand and −1 for the right.
+    pub fn play(&self, plan: &HandPlan) -> DQuat {
+        let Some((placed, share)) = self.leg(plan) else { return DQuat::IDENTITY };
+        let out = plan.side.sign();
+        let (flexion, radial, along) = (-DVec3::Z * out, -DVec3::Y * out, DVec3::X * out);
+        let mut play = DQuat::IDENTITY;
+        for w in &placed.leg.wrist {
+            let phase = TAU * (share * w.cycles + w.phase);
+            let level = w.amplitude * soft(share);
+            let turn = |axis: DVec3, wave: f64| DQuat::from_axis_angle(axis, level * wave);
+            play *= match w.motion {
+                WristMotion::Nod => turn(flexion, phase.sin()),
+                WristMotion::Swing => turn(radial, phase.sin()),
+                WristMotion::Twist => turn(along, phase.sin()),
+                WristMotion::StirClockwise => turn(flexion, phase.sin()) * turn(radial, phase.cos() * out),
+                WristMotion::StirCounterclockwise => turn(flexion, phase.sin()) * turn(radial, -phase.cos() * out),
+            };
+        }
+        play
+    }
+
+    /// How much each finger (index to little finger) is bent on top at its knuckle, radians.
+    pub fn wiggle(&self, plan: &HandPlan) -> Option<[f64; 4]> {
+        let (placed, share) = self.leg(plan)?;
+        if placed.leg.wiggle.is_empty() {
+            return None;
+        }
+        let mut bends = [0.0; 4];
+        for w in &placed.leg.wiggle {
+            for (i, digit) in crate::phonology::Digit::FINGERS.into_iter().enumerate() {
+                if w.digits.contains(digit) {
+                    let phase = TAU * (share * w.cycles - 0.25 * i as f64);
+                    bends[i] += w.amplitude * soft(share) * (1.0 - phase.cos()) / 2.0;
+                }
+            }
+        }
+        Some(bends)
+    }
+}
+
+/// A point on a leg's way, model space.
+fn point_of(placed: &PlacedLeg, share: f64, model: &ModelPose) -> DVec3 {
+    let PlacedLeg { leg, from, to, .. } = placed;
+    let (from, to) = (from.position(model), to.position(model));
+    // What the path itself does not lead to is made up along the way.
+    let rest = to - from - leg.path.end();
+    from + leg.path.at(share) * bent(leg, to - from) + rest_along(leg, rest, to - from, share)
+}
+
+/// The scale of an arc whose end is a place: its bend goes with its true chord.
+fn bent(leg: &Leg, chord: DVec3) -> f64 {
+    match &leg.path {
+        super::path::Path::Arc { chord: said, .. } if said.length() > 1e-6 => chord.length() / said.length(),
+        _ => 1.0,
+    }
+}
+
+fn rest_along(leg: &Leg, rest: DVec3, chord: DVec3, share: f64) -> DVec3 {
+    let weight = Easing::MinimumJerk.weight(share);
+    match bent(leg, chord) {
+        1.0 => rest * weight,
+        scale => (chord - leg.path.end() * scale) * weight,
+    }
+}
+
+/// Rises and falls within a sixth of the time at each end.
+fn soft(share: f64) -> f64 {
+    let x = (6.0 * share.min(1.0 - share)).clamp(0.0, 1.0);
+    x * x * (3.0 - 2.0 * x)
+}

@@ -1,0 +1,356 @@
+//! One hand's part of a sign, made concrete: postures at keys, legs in intervals, anchors at both ends of each.
+
+use super::anchor::Anchor;
+use super::legs::{Leg, LegEnd, change, lay_out};
+use super::reach::natural_rotation;
+use super::symmetry::{Resolved, acts, points, resolve};
+use super::{Grammar, side_of};
+use crate::body::landmarks::ContactPoint;
+use crate::body::signer::Signer;
+use crate::diagnostics::Error;
+use crate::motion::pose::ModelPose;
+use crate::phonology::handshape::HandAngles;
+use crate::phonology::{
+    Configuration, ContactKind, Distance, Hand, HandPart, HandPoint, Hands, Lateral, Orientation, Place, Placement, Side,
+    Sign, Symmetry,
+};
+use glam::{DQuat, DVec3};
+
+/// Points that are `close` to each other on two hands, arm lengths apart.
+const HANDS_CLOSE_ARMS: f64 = 0.06;
+
+/// A hand's posture at one key.
+#[derive(Debug, Clone)]
+pub struct KeyPosture {
+    /// Joint angles of the fingers.
+    pub angles: HandAngles,
+    /// The hand's rotation, model space.
+    pub rotation: DQuat,
+    /// Turning with the path.
+    pub along_path: bool,
+    /// The point of the hand that is placed.
+    pub with: ContactPoint,
+    /// Where it is placed, where the key says so.
+    pub anchor: Option<Anchor>,
+}
+
+/// A leg with where it starts and ends.
+#[derive(Debug, Clone)]
+pub struct PlacedLeg {
+    /// The leg.
+    pub leg: Leg,
+    /// The interval it belongs to.
+    pub interval: usize,
+    /// Where it starts.
+    pub from: Anchor,
+    /// Where it ends.
+    pub to: Anchor,
+}
+
+/// One hand's part of a sign.
+#[derive(Debug, Clone)]
+pub struct HandPlan {
+    /// Which side of the body.
+    pub side: Side,
+    /// N + 1 postures.
+    pub keys: Vec<KeyPosture>,
+    /// The legs, in order; none for a sign without intervals.
+    pub legs: Vec<PlacedLeg>,
+    /// Where it is when there is no leg.
+    pub start: Anchor,
+    /// Whether its places depend on the other hand.
+    pub on_other_hand: bool,
+}
+
+/// What plans are made with.
+pub struct Planner<'a> {
+    /// The inventories.
+    pub grammar: &'a Grammar,
+    /// The body.
+    pub signer: &'a Signer,
+    /// The signer standing neutral, model space.
+    pub neutral: &'a ModelPose,
+}
+
+impl Planner<'_> {
+    /// The plans of the acting hands, the one that the other depends on first.
+    ///
+    /// # Errors
+    /// Unknown names; hands that depend on each other; a sign in which no hand is left.
+    pub fn plan(&self, sign: &Sign) -> Result<Vec<HandPlan>, Error> {
+        let hands: Vec<Hand> = Hand::BOTH.into_iter().filter(|h| acts(sign, *h)).collect();
+        let mut plans = hands.iter().map(|h| self.plan_hand(sign, *h)).collect::<Result<Vec<_>, _>>()?;
+        if plans.iter().filter(|p| p.on_other_hand).count() > 1 {
+            return Err(Error::new("each hand is placed on the other; say where one of them is"));
+        }
+        plans.sort_by_key(|p| p.on_other_hand);
+        same_times(&mut plans, sign.intervals);
+        if let Some(stated) = sign.duration {
+            let whole: f64 = plans.first().map_or(0.0, |p| p.legs.iter().map(|l| l.leg.duration).sum());
+            if whole > 0.0 {
+                stretch(&mut plans, stated.0 / whole);
+            }
+        }
+        Ok(plans)
+    }
+
+    fn plan_hand(&self, sign: &Sign, hand: Hand) -> Result<HandPlan, Error> {
+        let said = resolve(sign, hand);
+        let side = side_of(hand);
+        let mut keys: Vec<KeyPosture> = Vec::with_capacity(sign.intervals + 1);
+        let mut on_other_hand = false;
+        for key in 0..=sign.intervals {
+            let before = keys.last();
+            let posture = self
+                .posture(sign, hand, &said, key, before, &mut on_other_hand)
+                .map_err(|e| e.context(format_args!("key {} of the {}", key + 1, name_of(hand))))?;
+            keys.push(posture);
+        }
+        let start = keys[0].anchor.clone().map_or_else(|| self.default_place(sign, side), Ok)?;
+        let legs = self.legs(sign, hand, &said, &keys, &start, &mut on_other_hand)?;
+        Ok(HandPlan { side, keys, legs, start, on_other_hand })
+    }
+
+    fn posture(
+        &self,
+        sign: &Sign,
+        hand: Hand,
+        said: &Resolved,
+        key: usize,
+        before: Option<&KeyPosture>,
+        on_other_hand: &mut bool,
+    ) -> Result<KeyPosture, Error> {
+        let side = side_of(hand);
+        let unsaid = Configuration::named("rest");
+        let configuration = said.configuration.at(key).unwrap_or(&unsaid);
+        let angles = self.grammar.handshapes.angles(configuration, Some(&sign.language))?;
+        let stated = said.placement.stated(key);
+        let contact = sign.contact.stated(key).copied();
+        let mut anchor = match stated {
+            Some(p) => Some(self.anchor(p, sign, side, contact.is_some(), on_other_hand)?),
+            None => None,
+        };
+        let touching = stated.is_some_and(|p| self.touches(p));
+        let mut with = match stated.and_then(|p| p.with) {
+            Some(point) => Some(self.signer.landmarks.hand_point(side, point)?),
+            None if stated.is_some() || before.is_none() => Some(self.own_point(configuration, sign, side, touching)?),
+            None => None,
+        };
+        if let Some(contact) = contact {
+            let (own, other) = points(&contact, hand);
+            with = Some(self.signer.landmarks.hand_point(side, own)?);
+            let apart = match contact.kind {
+                ContactKind::Touch | ContactKind::Crossed | ContactKind::Interlocked => 0.0,
+                ContactKind::Close => HANDS_CLOSE_ARMS * self.signer.landmarks.arm_length(),
+                ContactKind::Metres(metres) => metres,
+            };
+            if matches!(sign.hands, Hands::Both(Some(_))) {
+                // Both hands come to the middle.
+                let middle = match anchor {
+                    Some(a) => a,
+                    None => self.default_place(sign, side)?,
+                };
+                anchor = Some(middle.moved(DVec3::X * side.sign() * apart / 2.0));
+            } else if hand == Hand::Strong {
+                *on_other_hand = true;
+                let point = self.signer.landmarks.hand_point(side.other(), other)?;
+                anchor = Some(Anchor::over_contact(&point, apart));
+            }
+        }
+        let with = with.or_else(|| before.map(|b| b.with.clone()));
+        let with = with.map_or_else(|| self.own_point(configuration, sign, side, touching), Ok)?;
+        let orientation = said.orientation.at(key).copied().unwrap_or_default();
+        let place = anchor.as_ref().map(|a| a.position(self.neutral));
+        let rotation = match before {
+            Some(b) if said.orientation.stated(key).is_none() => b.rotation,
+            _ => self.rotation(side, &orientation, place, before.map(|b| b.rotation)),
+        };
+        Ok(KeyPosture { angles, rotation, along_path: orientation.along_path, with, anchor })
+    }
+
+    /// The hand's rotation at a key. What is not stated stays as it was, or is what strains the wrist least.
+    fn rotation(&self, side: Side, said: &Orientation, place: Option<DVec3>, before: Option<DQuat>) -> DQuat {
+        let arm = self.signer.arm(side);
+        let (fingers, palm) = (said.fingers.map(|h| h.vector()), said.palm.map(|h| h.vector()));
+        let shoulder = self.neutral.position(arm.upper);
+        let point = place.unwrap_or(shoulder + DVec3::new(0.0, -0.1, 0.35));
+        if let (Some(f), Some(p)) = (fingers, palm)
+            && let Some(rotation) = arm.hand_rotation(f, p)
+        {
+            return rotation;
+        }
+        if let Some(before) = before {
+            let (f, p) = arm.fingers_and_palm(before);
+            let kept = arm.hand_rotation(fingers.unwrap_or(f), palm.unwrap_or(p));
+            if let Some(rotation) = kept {
+                return rotation;
+            }
+        }
+        natural_rotation(arm, shoulder, point, DQuat::IDENTITY, fingers, palm)
+    }
+
+    /// The point that a hand places when none is named: what its shape touches with, or its palm in space.
+    fn own_point(&self, shape: &Configuration, sign: &Sign, side: Side, touching: bool) -> Result<ContactPoint, Error> {
+        let palm = HandPoint::new(Default::default(), HandPart::Palm, None);
+        let point = if touching { Some(self.grammar.handshapes.touches_with(shape, Some(&sign.language))?) } else { palm };
+        let point = point.ok_or_else(|| Error::new("a palm has no digits"))?;
+        self.signer.landmarks.hand_point(side, point)
+    }
+
+    /// Whether a placement is at or near the skin, so that what touches matters.
+    fn touches(&self, placement: &Placement) -> bool {
+        let distance = match (&placement.place, placement.distance) {
+            (Place::Body(name), Distance::Unmarked) => match self.grammar.locations.get(name) {
+                Some(row) if row.id != "neutral" => row.unmarked,
+                _ => Distance::Neutral,
+            },
+            (Place::OtherHand(_), Distance::Unmarked) => Distance::Touch,
+            (Place::Between(..), Distance::Unmarked) => Distance::Touch,
+            (_, distance) => distance,
+        };
+        match distance {
+            Distance::Touch | Distance::Close => true,
+            Distance::Metres(metres) => metres < 0.06,
+            Distance::Unmarked | Distance::Neutral | Distance::Extended => false,
+        }
+    }
+
+    /// Where a place is that no hand is put at, such as one that is looked at.
+    ///
+    /// # Errors
+    /// A name that the inventory lacks; a referent that was not placed.
+    pub fn place(&self, placement: &Placement, sign: &Sign) -> Result<Anchor, Error> {
+        self.anchor(placement, sign, Side::Right, true, &mut false)
+    }
+
+    fn default_place(&self, sign: &Sign, side: Side) -> Result<Anchor, Error> {
+        let mut ignored = false;
+        self.anchor(&Placement::at(Place::Body("neutral".into())), sign, side, false, &mut ignored)
+    }
+
+    /// Where a placement is. `meeting` hands are not set apart.
+    fn anchor(
+        &self,
+        placement: &Placement,
+        sign: &Sign,
+        side: Side,
+        meeting: bool,
+        on_other_hand: &mut bool,
+    ) -> Result<Anchor, Error> {
+        let landmarks = &self.signer.landmarks;
+        let shoulder = self.neutral.position(landmarks.shoulder(side));
+        let metres = |unmarked: Distance, from: (DVec3, DVec3)| {
+            let reach = landmarks.arm_length();
+            let metres = landmarks.metres(placement.distance, unmarked, from, shoulder, reach);
+            // Behind a place is the far side of it: past its thickness, here a hand's length.
+            if placement.behind { -landmarks.hand_length() - metres } else { metres }
+        };
+        let anchor = match &placement.place {
+            Place::Body(name) => {
+                let row = self.grammar.locations.get(name).ok_or_else(|| Error::new(format!("no place is called {name}")))?;
+                let lateral = placement.lateral.or_else(|| self.unsaid_side(sign, side, row.paired, &row.id, meeting));
+                let landmark = landmarks.body_place(&row.id, lateral)?;
+                let from = (landmark.position(self.neutral), landmark.normal(self.neutral));
+                Anchor::over(&landmark, metres(row.unmarked, from))
+            }
+            Place::OtherHand(point) => {
+                *on_other_hand = true;
+                let contact = landmarks.hand_point(side.other(), *point)?;
+                let from = (contact.position(self.neutral), contact.normal(self.neutral));
+                Anchor::over_contact(&contact, metres(Distance::Touch, from))
+            }
+            Place::Space(cell) => {
+                let landmark = landmarks.space(*cell);
+                Anchor::Fixed(landmark.position(self.neutral))
+            }
+            Place::Point(point) => Anchor::Fixed(*point),
+            Place::Between(a, b) => {
+                let half = |place: &Place| {
+                    let one = Placement { place: place.clone(), offset: None, ..placement.clone() };
+                    self.anchor(&one, sign, side, true, on_other_hand)
+                };
+                let mut half = half;
+                Anchor::Middle(vec![half(a)?, half(b)?])
+            }
+            Place::Referent(name) => {
+                return Err(Error::new(format!("nothing has been placed at the referent {name} before")));
+            }
+        };
+        Ok(match placement.offset {
+            Some((direction, metres)) => anchor.moved(direction.vector() * metres),
+            None => anchor,
+        })
+    }
+
+    /// The side of a place that is meant when none is said: places that come in two are on the hand's own side; two
+    /// hands are set apart; one hand in neutral space is before its own shoulder.
+    fn unsaid_side(&self, sign: &Sign, side: Side, paired: bool, id: &str, meeting: bool) -> Option<Lateral> {
+        let both = matches!(sign.hands, Hands::Both(Some(Symmetry { .. })));
+        let apart = both && !meeting;
+        (paired || apart || (id == "neutral" && !meeting)).then_some(Lateral { side, beside: false })
+    }
+
+    fn legs(
+        &self,
+        sign: &Sign,
+        hand: Hand,
+        said: &Resolved,
+        keys: &[KeyPosture],
+        start: &Anchor,
+        on_other_hand: &mut bool,
+    ) -> Result<Vec<PlacedLeg>, Error> {
+        let side = side_of(hand);
+        let table = &self.grammar.movements;
+        let mut placed: Vec<PlacedLeg> = Vec::new();
+        let mut at = start.clone();
+        for interval in 0..sign.intervals {
+            let legs = match said.movement.get(interval) {
+                Some(movement) => lay_out(movement, table, said.alternating),
+                None => vec![change(table.timing.change)],
+            };
+            let first = placed.len();
+            for mut leg in legs {
+                leg.path = leg.path.reflected(said.signs);
+                let from = at;
+                let reached = keys[interval + 1].anchor.as_ref().filter(|_| leg.posture.1 >= 1.0);
+                let to = match (&leg.end, reached) {
+                    (LegEnd::At(placement), _) => self.anchor(placement, sign, side, false, on_other_hand)?,
+                    (LegEnd::StartOf(n), _) => placed[first + n].from.clone(),
+                    (LegEnd::Displaced, Some(anchor)) => anchor.clone(),
+                    (LegEnd::Displaced, None) => from.clone().moved(leg.path.end()),
+                };
+                at = to.clone();
+                placed.push(PlacedLeg { leg, interval, from, to });
+            }
+        }
+        Ok(placed)
+    }
+}
+
+fn name_of(hand: Hand) -> &'static str {
+    match hand {
+        Hand::Strong => "strong hand",
+        Hand::Weak => "weak hand",
+    }
+}
+
+/// Gives every interval the same time in both hands: that of the slower one.
+fn same_times(plans: &mut [HandPlan], intervals: usize) {
+    let time = |plan: &HandPlan, i: usize| -> f64 {
+        plan.legs.iter().filter(|l| l.interval == i).map(|l| l.leg.duration).sum()
+    };
+    for i in 0..intervals {
+        let longest = plans.iter().map(|p| time(p, i)).fold(0.0, f64::max);
+        for plan in plans.iter_mut() {
+            let own = time(plan, i);
+            if own > 0.0 {
+                plan.legs.iter_mut().filter(|l| l.interval == i).for_each(|l| l.leg.duration *= longest / own);
+            }
+        }
+    }
+}
+
+/// Makes every leg longer or shorter.
+pub fn stretch(plans: &mut [HandPlan], factor: f64) {
+    plans.iter_mut().flat_map(|p| &mut p.legs).for_each(|l| l.leg.duration *= factor);
+}

@@ -1,0 +1,434 @@
+//! Writing a sign's frames: non-manuals, fingers, arms, and the ways from and to the neutral pose.
+
+use super::face::{self, Cue};
+use super::path_of_hand::{Instant, instant};
+use super::plan::{HandPlan, Planner, stretch};
+use super::reach::{ArmFrame, HandTarget, ReachOptions, follow};
+use super::timeline::Timeline;
+use super::{Grammar, Options, Performance, Report, clip, limits, tiers};
+use crate::body::landmarks::ContactPoint;
+use crate::body::signer::Signer;
+use crate::diagnostics::Error;
+use crate::motion::clip::Frame;
+use crate::motion::easing::slerp;
+use crate::motion::pose::{LocalPose, ModelPose};
+use crate::motion::rotation::{continuous, twist_angle};
+use crate::motion::skeleton::JointId;
+use crate::phonology::handshape::HandAngles;
+use crate::phonology::{Configuration, Movement, NonManualValue, Place, Side, Sign};
+use crate::time::{FrameIndex, Seconds};
+use crate::track::Track;
+use glam::{DQuat, DVec3};
+
+/// The wrist stays under this speed, metres a second: durations that the sign leaves open grow.
+pub const WRIST_SPEED: f64 = 3.0;
+/// Above this speed of the wrist a sign is at fault, metres a second.
+pub const WRIST_SPEED_FAULT: f64 = 5.0;
+/// A contact point farther than this from its target is worth a warning, metres.
+const RESIDUAL_WARNED: f64 = 5e-3;
+/// A hand turned farther than this from what is stated is worth a warning, radians.
+const TILT_WARNED: f64 = 2.0 * std::f64::consts::PI / 180.0;
+
+/// Signs a sign; durations grow until the wrist is slow enough.
+pub(super) fn perform(
+    sign: &Sign,
+    grammar: &Grammar,
+    signer: &Signer,
+    options: &Options,
+) -> Result<Performance, Error> {
+    let relaxed = grammar.handshapes.angles(&Configuration::named("rest"), Some(&sign.language))?;
+    let neutral = signer.neutral(&relaxed);
+    let model = neutral.to_model(&signer.skeleton);
+    let planner = Planner { grammar, signer, neutral: &model };
+    let mut plans = planner.plan(sign)?;
+    let mut writer = Writer { sign, grammar, signer, options, planner: &planner, neutral, relaxed, slower: 1.0 };
+    let fixed = states_its_time(sign);
+    // Each round measures the speed that the last one came to; two are enough, the third is for luck.
+    for _ in 0..3 {
+        let (performance, stroke_speed, way_speed) = writer.write(&plans)?;
+        let stroke_factor = if fixed { 1.0 } else { stroke_speed / WRIST_SPEED };
+        let way_factor = way_speed / WRIST_SPEED;
+        if stroke_factor <= 1.0 && way_factor <= 1.0 {
+            return Ok(performance);
+        }
+        if stroke_factor > 1.0 {
+            stretch(&mut plans, stroke_factor * 1.02);
+        }
+        writer.slower *= way_factor.max(1.0) * 1.02;
+    }
+    writer.write(&plans).map(|(performance, ..)| performance)
+}
+
+/// Whether the author has said how long the sign or a movement of it lasts.
+fn states_its_time(sign: &Sign) -> bool {
+    fn stated(movement: &Movement) -> bool {
+        match movement {
+            Movement::Action(action) => action.duration.is_some(),
+            Movement::Sequence(parts) | Movement::Together(parts) | Movement::Fused(parts) => parts.iter().any(stated),
+        }
+    }
+    sign.duration.is_some() || sign.strong.movement.iter().chain(&sign.weak.movement).any(stated)
+}
+
+struct Writer<'a> {
+    sign: &'a Sign,
+    grammar: &'a Grammar,
+    signer: &'a Signer,
+    options: &'a Options,
+    planner: &'a Planner<'a>,
+    neutral: LocalPose,
+    relaxed: HandAngles,
+    /// How much longer than usual preparation and retraction last.
+    slower: f64,
+}
+
+/// The fingers' rotations, in the order of the hand's joints.
+type Fingers = [DQuat; 15];
+
+impl Writer<'_> {
+    /// The performance, and the greatest speeds of a wrist in the stroke and on the ways there and back.
+    fn write(&self, plans: &[HandPlan]) -> Result<(Performance, f64, f64), Error> {
+        let timing = &self.grammar.movements.timing;
+        let (there, back) = (self.way(plans, true), self.way(plans, false));
+        let timeline = Timeline::new(plans, self.sign.intervals, timing, there, back, self.options.speed);
+        let cues = self.cues(&timeline, plans)?;
+        let fps = self.options.fps;
+        let count = fps.frame_count(Seconds(timeline.end));
+        let mut poses = vec![self.neutral.clone(); count];
+        let mut weights = vec![vec![0.0f32; self.signer.morphs.len()]; count];
+        let mut raised = vec![[0.0; 2]; count];
+        if !cues.is_empty() {
+            for i in 0..count {
+                raised[i] = self.express(&cues, fps.time_of(FrameIndex(i)).0, &mut poses[i], &mut weights[i]);
+            }
+        }
+        let mut report = Report {
+            stroke_start: Seconds(timeline.stroke),
+            keys: timeline.keys.iter().map(|t| Seconds(*t)).collect(),
+            sign_end: Seconds(timeline.hold_end),
+            ..Report::default()
+        };
+        let moving_body = !cues.is_empty();
+        let (mut stroke_speed, mut way_speed) = (0.0f64, 0.0f64);
+        for plan in plans {
+            let wrists = self.write_hand(plan, &timeline, moving_body, &raised, &mut poses, &mut report);
+            for (i, pair) in wrists.windows(2).enumerate() {
+                let speed = pair[0].distance(pair[1]) * fps.get();
+                let middle = (i as f64 + 0.5) / fps.get();
+                let in_stroke = (timeline.stroke..timeline.hold_end).contains(&middle);
+                let most = if in_stroke { &mut stroke_speed } else { &mut way_speed };
+                *most = most.max(speed);
+            }
+        }
+        report.wrist_speed = stroke_speed.max(way_speed);
+        self.warn(&mut report, stroke_speed)?;
+        for i in 1..count {
+            let (before, after) = poses.split_at_mut(i);
+            for (q, p) in after[0].rotations.iter_mut().zip(&before[i - 1].rotations) {
+                *q = continuous(*p, *q);
+            }
+        }
+        let frames = poses.into_iter().zip(weights).map(|(pose, weights)| Frame { pose, weights }).collect();
+        let tiers = tiers::of_sign(self.sign, &timeline, plans);
+        let track = Track { clip: clip(self.signer, fps, frames)?, tiers };
+        Ok((Performance { track, report }, stroke_speed, way_speed))
+    }
+
+    /// Seconds from the neutral pose to the stroke, or back.
+    fn way(&self, plans: &[HandPlan], there: bool) -> f64 {
+        let timing = &self.grammar.movements.timing;
+        let farthest = plans.iter().map(|plan| {
+            let anchor = if there { Some(&plan.start) } else { plan.legs.last().map(|l| &l.to) };
+            let point = anchor.unwrap_or(&plan.start).position(self.planner.neutral);
+            let hand = self.signer.arm(plan.side).hand;
+            self.planner.neutral.position(hand).distance(point).min(1.2)
+        });
+        let distance = farthest.fold(0.0, f64::max);
+        (distance / timing.transition_speed).max(timing.transition_least) * self.slower
+    }
+
+    /// Writes one hand's fingers and arm into all frames; returns the wrist's places.
+    fn write_hand(
+        &self,
+        plan: &HandPlan,
+        timeline: &Timeline,
+        moving_body: bool,
+        raised: &[[f64; 2]],
+        poses: &mut [LocalPose],
+        report: &mut Report,
+    ) -> Vec<DVec3> {
+        let (fps, easing) = (self.options.fps.get(), self.options.easing);
+        let skeleton = &self.signer.skeleton;
+        let arm = self.signer.arm(plan.side);
+        let frame_at = |time: f64, up: bool| {
+            let frame = time * fps;
+            let i = if up { (frame - 1e-6).ceil() } else { (frame + 1e-6).floor() };
+            (i.max(0.0) as usize).min(poses.len() - 1)
+        };
+        let first = frame_at(timeline.stroke, true);
+        let last = frame_at(timeline.hold_end, false).max(first);
+        let instants: Vec<Instant> = (first..=last)
+            .map(|i| instant(plan, (i as f64 / fps - timeline.stroke) * self.options.speed, easing))
+            .collect();
+        self.write_fingers(plan, timeline, &instants, first, poses);
+
+        let still = (!moving_body && !plan.on_other_hand).then(|| self.planner.neutral.clone());
+        let mut models: Vec<Option<ModelPose>> = Vec::new();
+        if still.is_none() {
+            models = poses[first..=last].iter().map(|p| Some(p.to_model(skeleton))).collect();
+        }
+        let trunk = skeleton[arm.clavicle].parent.unwrap_or(arm.clavicle);
+        let targets: Vec<HandTarget> = instants
+            .iter()
+            .enumerate()
+            .map(|(n, now)| {
+                let model = models.get(n).and_then(|m| m.as_ref()).or(still.as_ref()).unwrap_or(self.planner.neutral);
+                let rotation = now.rotation(plan, easing, model);
+                let offset = self.offset(plan, now, arm.hand, &poses[first + n]);
+                let point = now.point(plan, model);
+                let played = (rotation * now.play(plan)).normalize();
+                HandTarget {
+                    // The wrist's play turns the hand about the wrist, so the contact point goes along.
+                    point: point - rotation * offset + played * offset,
+                    rotation: played,
+                    offset,
+                    clavicle: model.position(arm.clavicle),
+                    trunk: model.rotation(trunk),
+                    raised: raised[first + n][plan.side as usize],
+                }
+            })
+            .collect();
+        let options = ReachOptions {
+            limits: limits(self.options),
+            clavicle: !self.options.paper,
+            knot_every: (fps * 0.15).round().max(1.0) as usize,
+        };
+        let solved = follow(arm, skeleton.offset(arm.upper), &targets, &options);
+        for (n, frame) in solved.iter().enumerate() {
+            poses[first + n].set(arm.clavicle, frame.clavicle);
+            arm.write(&frame.arm, &mut poses[first + n]);
+        }
+        measure(&solved, report);
+        self.write_ways(plan, timeline, first, last, poses);
+        self.wrists(plan, &solved, first, poses)
+    }
+
+    /// The contact point in the hand's axes, from the wrist, for the fingers as they are now.
+    fn offset(&self, plan: &HandPlan, now: &Instant, hand: JointId, pose: &LocalPose) -> DVec3 {
+        let (a, b) = (&plan.keys[now.key], &plan.keys[(now.key + 1).min(plan.keys.len() - 1)]);
+        let of = |contact: &ContactPoint| self.in_hand(contact, hand, pose);
+        if a.with == b.with { of(&a.with) } else { of(&a.with).lerp(of(&b.with), now.done.clamp(0.0, 1.0)) }
+    }
+
+    fn in_hand(&self, contact: &ContactPoint, hand: JointId, pose: &LocalPose) -> DVec3 {
+        let skeleton = &self.signer.skeleton;
+        let one = |joint: JointId, offset: DVec3| {
+            let (mut point, mut at) = (offset, joint);
+            while at != hand {
+                match skeleton[at].parent {
+                    Some(parent) => {
+                        point = skeleton.offset(at) + pose.rotation(at) * point;
+                        at = parent;
+                    }
+                    // A point of the arm above the wrist: as far from the wrist as at rest.
+                    None => return skeleton[joint].rest_model + offset - skeleton[hand].rest_model,
+                }
+            }
+            point
+        };
+        let parts = contact.parts();
+        parts.iter().map(|part| one(part.joint, part.offset)).sum::<DVec3>() / parts.len() as f64
+    }
+
+    /// The fingers of every frame: formed early on the way there, changed with the stroke, loosened on the way back.
+    fn write_fingers(
+        &self,
+        plan: &HandPlan,
+        timeline: &Timeline,
+        instants: &[Instant],
+        first: usize,
+        poses: &mut [LocalPose],
+    ) {
+        let fps = self.options.fps.get();
+        let easing = self.options.easing;
+        let lead = self.grammar.movements.timing.handshape_lead;
+        let loose = self.fingers(plan.side, &self.relaxed);
+        let shapes: Vec<Fingers> = plan.keys.iter().map(|k| self.fingers(plan.side, &k.angles)).collect();
+        let joints = self.signer.hand(plan.side).joints();
+        let blend = |a: &Fingers, b: &Fingers, w: f64| -> Fingers {
+            if w <= 0.0 {
+                *a
+            } else if w >= 1.0 {
+                *b
+            } else {
+                std::array::from_fn(|j| if a[j] == b[j] { a[j] } else { slerp(a[j], b[j], w) })
+            }
+        };
+        let last = first + instants.len() - 1;
+        let end_shape = match instants.last() {
+            Some(now) => blend(&shapes[now.key], &shapes[(now.key + 1).min(shapes.len() - 1)], now.done),
+            None => loose,
+        };
+        for (i, pose) in poses.iter_mut().enumerate() {
+            let time = i as f64 / fps;
+            let mut fingers = if i < first {
+                let share = (time - timeline.start) / (timeline.stroke - timeline.start) / lead;
+                blend(&loose, &shapes[0], easing.weight(share))
+            } else if i <= last {
+                let now = &instants[i - first];
+                blend(&shapes[now.key], &shapes[(now.key + 1).min(shapes.len() - 1)], now.done)
+            } else {
+                let share = (time - timeline.hold_end) / (timeline.retracted - timeline.hold_end);
+                blend(&end_shape, &loose, easing.weight(share))
+            };
+            if i >= first
+                && i <= last
+                && let Some(bends) = instants[i - first].wiggle(plan)
+            {
+                for (finger, bend) in bends.into_iter().enumerate() {
+                    // Joints come thumb first, three a digit; flexion is about ∓Z.
+                    let knuckle = 3 * (finger + 1);
+                    fingers[knuckle] *= DQuat::from_rotation_z(-bend * plan.side.sign());
+                }
+            }
+            for (joint, rotation) in joints.iter().zip(fingers) {
+                pose.set(*joint, rotation);
+            }
+        }
+    }
+
+    fn fingers(&self, side: Side, angles: &HandAngles) -> Fingers {
+        let hand = self.signer.hand(side);
+        let mut pose = self.neutral.clone();
+        hand.apply(angles, &mut pose);
+        hand.joints().map(|j| pose.rotation(j))
+    }
+
+    /// Eases the arm's joints from the neutral pose to the stroke and back (Naert et al. 2021, §4.2).
+    fn write_ways(&self, plan: &HandPlan, timeline: &Timeline, first: usize, last: usize, poses: &mut [LocalPose]) {
+        let fps = self.options.fps.get();
+        let arm = self.signer.arm(plan.side);
+        let joints = [arm.clavicle, arm.upper, arm.fore, arm.hand];
+        let rotations = |pose: &LocalPose| joints.map(|j| pose.rotation(j));
+        let (start, end) = (rotations(&poses[first]), rotations(&poses[last]));
+        let neutral = rotations(&self.neutral);
+        let (begun, ended) = (first as f64 / fps, last as f64 / fps);
+        for (i, pose) in poses.iter_mut().enumerate() {
+            let time = i as f64 / fps;
+            let (from, to, share) = if i < first {
+                (&neutral, &start, (time - timeline.start) / (begun - timeline.start).max(1e-9))
+            } else if i > last {
+                (&end, &neutral, (time - ended) / (timeline.retracted - ended).max(1e-9))
+            } else {
+                continue;
+            };
+            for (j, joint) in joints.iter().enumerate() {
+                pose.set(*joint, self.options.easing.ease_rotation(from[j], to[j], share.clamp(0.0, 1.0)));
+            }
+            let twist = twist_angle(pose.rotation(arm.hand), arm.rest.fore());
+            arm.write_twist(twist, pose);
+        }
+    }
+
+    /// Where the wrist is in every frame: as solved in the stroke, by forward kinematics of the arm elsewhere.
+    fn wrists(&self, plan: &HandPlan, solved: &[ArmFrame], first: usize, poses: &[LocalPose]) -> Vec<DVec3> {
+        let arm = self.signer.arm(plan.side);
+        let skeleton = &self.signer.skeleton;
+        let trunk = skeleton[arm.clavicle].parent.unwrap_or(arm.clavicle);
+        let model = self.planner.neutral;
+        let (base, turn) = (model.position(arm.clavicle), model.rotation(trunk));
+        (0..poses.len())
+            .map(|i| match i.checked_sub(first).and_then(|n| solved.get(n)) {
+                Some(frame) => frame.wrist,
+                None => {
+                    let (mut at, mut turned) = (base, turn * poses[i].rotation(arm.clavicle));
+                    for joint in [arm.upper, arm.fore, arm.hand] {
+                        at += turned * skeleton.offset(joint);
+                        turned *= poses[i].rotation(joint);
+                    }
+                    at
+                }
+            })
+            .collect()
+    }
+
+    fn cues(&self, timeline: &Timeline, plans: &[HandPlan]) -> Result<Vec<Cue>, Error> {
+        let model = self.planner.neutral;
+        let eyes = self.signer.gaze_origin(model);
+        let locate = |value: &NonManualValue| match value {
+            NonManualValue::Towards(heading) => Ok(Some(heading.vector())),
+            NonManualValue::At(placement) => {
+                let place = match &placement.place {
+                    // Seen from the strong hand, the other hand is the weak one.
+                    Place::OtherHand(_) => plans.iter().find(|p| p.side == Side::Left).map(|p| p.start.position(model)),
+                    _ => Some(self.planner.place(placement, self.sign)?.position(model)),
+                };
+                Ok(place.map(|p| p - eyes))
+            }
+            NonManualValue::Named(_) | NonManualValue::Mouthing(_) => Ok(None),
+        };
+        let mut cues = Vec::new();
+        for (channel, values) in &self.sign.nonmanual {
+            let expressions = &self.grammar.expressions;
+            cues.extend(face::lay_out(*channel, values, &timeline.keys, timeline.hold_end, expressions, &locate)?);
+        }
+        Ok(cues)
+    }
+
+    /// Writes the non-manuals of one instant; returns how far the shoulders are raised.
+    fn express(&self, cues: &[Cue], time: f64, pose: &mut LocalPose, weights: &mut [f32]) -> [f64; 2] {
+        let state = face::state_at(cues, time, &self.signer.morphs);
+        for (morph, weight) in state.morphs {
+            weights[morph] = (f64::from(weights[morph]) + weight).clamp(0.0, 1.0) as f32;
+        }
+        if !state.torso.is_zero() {
+            self.signer.turn_torso(state.torso, pose);
+        }
+        if !state.head.is_zero() {
+            self.signer.turn_head(state.head, pose);
+        }
+        if !state.eyes.is_zero() {
+            self.signer.turn_eyes(state.eyes, pose);
+        }
+        for side in [Side::Left, Side::Right] {
+            let angle = state.shoulders[side as usize];
+            if angle != 0.0 {
+                self.signer.raise_shoulder(side, angle, pose);
+            }
+        }
+        state.shoulders
+    }
+
+    fn warn(&self, report: &mut Report, stroke_speed: f64) -> Result<(), Error> {
+        if stroke_speed > WRIST_SPEED_FAULT && states_its_time(self.sign) {
+            return Err(Error::new(format!(
+                "the wrist would move at {stroke_speed:.1} m/s, faster than anyone signs: give it more time"
+            )));
+        }
+        if stroke_speed > WRIST_SPEED {
+            report.warnings.push(format!("the wrist moves at {stroke_speed:.1} m/s; signers stay under 3"));
+        }
+        if report.residual_m > RESIDUAL_WARNED {
+            let mm = report.residual_m * 1e3;
+            report.warnings.push(format!("a hand stays {mm:.0} mm away from its place: it is out of reach"));
+        }
+        if report.tilt > TILT_WARNED {
+            let degrees = report.tilt.to_degrees();
+            report.warnings.push(format!("the wrist does not bend that far: a hand is turned {degrees:.0}° from what is stated"));
+        }
+        let whole = report.sign_end.0 - report.stroke_start.0;
+        let greatest = self.grammar.movements.timing.greatest_sign;
+        if whole * self.options.speed > greatest {
+            report.warnings.push(format!("the sign lasts {whole:.1} s; signs rarely take more than {greatest:.0} s"));
+        }
+        Ok(())
+    }
+}
+
+fn measure(solved: &[ArmFrame], report: &mut Report) {
+    for frame in solved {
+        report.residual_m = report.residual_m.max(frame.residual_m);
+        report.tilt = report.tilt.max(frame.tilt);
+    }
+}
+
