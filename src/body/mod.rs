@@ -2,6 +2,7 @@
 
 pub mod arm;
 pub mod hand;
+pub mod hand_skin;
 pub mod landmarks;
 pub mod signer;
 pub mod skin;
