@@ -11,7 +11,7 @@ use crate::diagnostics::Error;
 use crate::motion::pose::LocalPose;
 use crate::motion::skeleton::{JointId, Skeleton};
 use crate::phonology::handshape::{HandAngles, ThumbGoal, ThumbPart, ThumbTarget};
-use crate::phonology::{Digit, Side};
+use crate::phonology::{Digit, Digits, Side};
 use glam::DVec3;
 
 /// The radius of a patch, millimetres.
@@ -40,6 +40,8 @@ pub struct HandSkin {
     rig: HandRig,
     skin: Skin,
     bones: Vec<HandBone>,
+    /// Vertices beside another part: where parts join, inside and outside mean nothing.
+    seam: Vec<bool>,
 }
 
 /// A hand's surface in a handshape, the arm at rest.
@@ -59,8 +61,15 @@ impl HandSkin {
         let rig = HandRig::new(skeleton, side)?;
         let own = rig.joints();
         let skin = skin.subset(|j| j == rig.hand() || own.contains(&j));
-        let bones = (0..skin.len()).map(|v| bone_of(skin.main_joint(v), &own)).collect();
-        Ok(HandSkin { skeleton: skeleton.clone(), rig, skin, bones })
+        let bones: Vec<HandBone> = (0..skin.len()).map(|v| bone_of(skin.main_joint(v), &own)).collect();
+        let mut seam = vec![false; skin.len()];
+        for triangle in skin.triangles() {
+            let [a, b, c] = triangle.map(|v| part_of(bones[v as usize]));
+            if a != b || b != c {
+                triangle.iter().for_each(|v| seam[*v as usize] = true);
+            }
+        }
+        Ok(HandSkin { skeleton: skeleton.clone(), rig, skin, bones, seam })
     }
 
     /// The hand's joints.
@@ -82,10 +91,13 @@ impl HandSkin {
 
     /// The patches of the thumb's part and of each touched finger, for goals that name some.
     pub fn patches(&self, goal: &ThumbGoal) -> Option<(Patch, Vec<Patch>)> {
+        let several = |digits: Digits| digits.iter().count() > 1;
         let (thumb, targets) = match *goal {
             ThumbGoal::Posture(_) => return None,
             ThumbGoal::Touch(part, digits, target) => {
-                (self.thumb_patch(part)?, digits.iter().map(|d| self.target_patch(d, target)).collect::<Vec<_>>())
+                let thumb = self.thumb_patch(part)?;
+                let thumb = if several(digits) { self.widened(thumb) } else { thumb };
+                (thumb, digits.iter().map(|d| self.target_patch(d, target)).collect::<Vec<_>>())
             }
             ThumbGoal::Gap(digits, _) => {
                 let pads = digits.iter().map(|d| self.target_patch(d, ThumbTarget::Pad));
@@ -107,10 +119,10 @@ impl HandSkin {
         let last = self.rig.of_digit(Digit::Thumb)[2];
         let along = self.along(last).normalize();
         match part {
-            ThumbPart::Pad => self.patch(last, 0.55, pad, 2),
-            ThumbPart::Tip => self.patch(last, 0.7, along + pad * 0.2, 2),
-            ThumbPart::Joint => self.patch(last, 0.0, pad, 1),
-            ThumbPart::Side => self.patch(last, 0.6, along.cross(pad) * x, 2),
+            ThumbPart::Pad => self.patch(last, 0.55, pad),
+            ThumbPart::Tip => self.patch(last, 0.7, along + pad * 0.2),
+            ThumbPart::Joint => self.patch(last, 0.0, pad),
+            ThumbPart::Side => self.patch(last, 0.6, along.cross(pad) * x),
         }
     }
 
@@ -134,28 +146,46 @@ impl HandSkin {
 
     /// The patch on a finger's phalanx, at a share of its length, in a direction at rest.
     pub fn finger_patch(&self, digit: Digit, phalanx: usize, share: f64, direction: DVec3) -> Option<Patch> {
-        self.patch(self.rig.of_digit(digit)[phalanx], share, direction, phalanx)
+        self.patch(self.rig.of_digit(digit)[phalanx], share, direction)
+    }
+
+    /// The same side of both free phalanges of the thumb: what lies on several fingers.
+    fn widened(&self, patch: Patch) -> Patch {
+        let rest = self.at_rest();
+        let normal = rest.normal(patch.at);
+        let of_thumb = |v: &usize| matches!(self.bones[*v], HandBone::Phalanx(Digit::Thumb, 1 | 2));
+        let alike = |v: &usize| of_thumb(v) && rest.normals[*v].dot(normal) > 0.3;
+        Patch { at: patch.at, vertices: (0..self.skin.len()).filter(alike).collect() }
+    }
+
+    fn at_rest(&self) -> PosedSkin<'_> {
+        self.skin.pose(&LocalPose::rest(&self.skeleton).to_model(&self.skeleton))
     }
 
     fn along(&self, joint: JointId) -> DVec3 {
         self.skeleton[joint].tail_model - self.skeleton[joint].rest_model
     }
 
-    fn patch(&self, joint: JointId, share: f64, direction: DVec3, _phalanx: usize) -> Option<Patch> {
+    fn patch(&self, joint: JointId, share: f64, direction: DVec3) -> Option<Patch> {
         self.cast(self.skeleton[joint].rest_model + self.along(joint) * share, direction)
     }
 
     /// The patch where a ray from inside meets the resting skin.
     fn cast(&self, from: DVec3, direction: DVec3) -> Option<Patch> {
-        let model = LocalPose::rest(&self.skeleton).to_model(&self.skeleton);
-        let rest = self.skin.pose(&model);
+        let rest = self.at_rest();
         let all = self.skin.region(|_| true);
         let at = rest.first_hit(from, direction.normalize(), 0.03, &all)?;
         let (point, normal) = (rest.point(at), rest.normal(at));
-        let near = |v: &usize| {
-            rest.positions[*v].distance(point) < PATCH_MM / 1000.0 && rest.normals[*v].dot(normal) > 0.3
-        };
+        let near =
+            |v: &usize| rest.positions[*v].distance(point) < PATCH_MM / 1000.0 && rest.normals[*v].dot(normal) > 0.3;
         Some(Patch { at, vertices: (0..self.skin.len()).filter(near).collect() })
+    }
+}
+
+impl Patch {
+    /// The vertices of the patch.
+    pub fn vertices(&self) -> &[usize] {
+        &self.vertices
     }
 }
 
@@ -163,6 +193,13 @@ impl PosedHand<'_> {
     /// The middle of a patch and the normal there, model space, metres.
     pub fn middle(&self, patch: &Patch) -> (DVec3, DVec3) {
         (self.skin.point(patch.at), self.skin.normal(patch.at))
+    }
+
+    /// How far a point hangs above a part's vertices; negative inside, millimetres.
+    pub fn above_mm(&self, point: DVec3, part: &[usize]) -> f64 {
+        let squared = part.iter().map(|v| (self.skin.positions[*v].distance_squared(point), *v));
+        let Some((_, v)) = squared.min_by(|a, b| a.0.total_cmp(&b.0)) else { return 0.0 };
+        (point - self.skin.positions[v]).dot(self.skin.normals[v]) * 1000.0
     }
 
     /// How far a goal is missed, millimetres: for contacts the widest gap between the thumb's patch and a named
@@ -192,7 +229,7 @@ impl PosedHand<'_> {
         one_way(a, b).min(one_way(b, a)) * 1000.0
     }
 
-    /// How deep a vertex lies in a part, millimetres; 0 outside. `others` are the part's vertices.
+    /// How deep a vertex lies in a part, millimetres; 0 outside and where the parts join. `others` are the part's vertices.
     pub fn depth_mm(&self, vertex: usize, others: &[usize]) -> f64 {
         let at = self.skin.positions[vertex];
         let mut best = (f64::INFINITY, 0);
@@ -202,11 +239,13 @@ impl PosedHand<'_> {
                 best = (d, *v);
             }
         }
-        if best.0 > 0.02 * 0.02 {
+        if best.0 > 0.012 * 0.012 || self.hand.seam[best.1] {
             return 0.0;
         }
         let inward = (self.skin.positions[best.1] - at).dot(self.skin.normals[best.1]);
-        (inward * 1000.0).max(0.0)
+        // A vertex far aside of the nearest one is beside the part, not in it.
+        let aside = best.0 > 0.004 * 0.004 && inward < 0.6 * best.0.sqrt();
+        if aside { 0.0 } else { (inward * 1000.0).max(0.0) }
     }
 
     /// The deepest that any of the vertices lies in a part, millimetres.
@@ -223,6 +262,14 @@ impl PosedHand<'_> {
             };
             patch.map_or(DVec3::ZERO, |p| self.middle(&p).0)
         })
+    }
+}
+
+/// The digit that a bone belongs to; `None` for the palm.
+fn part_of(bone: HandBone) -> Option<Digit> {
+    match bone {
+        HandBone::Palm => None,
+        HandBone::Phalanx(digit, _) => Some(digit),
     }
 }
 

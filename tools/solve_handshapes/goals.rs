@@ -16,11 +16,11 @@ pub struct Goals<'a> {
     shape: &'a Handshape,
     contact: Option<(Patch, Vec<Patch>)>,
     /// Vertices and the part that they must stay out of.
-    apart: Vec<(Vec<usize>, Vec<usize>)>,
+    apart: Vec<(Vec<usize>, Vec<usize>, f64)>,
     /// Sides of neighbouring fingers that lie together, with a weight.
     together: Vec<(Patch, Patch, f64)>,
     /// Last phalanges of closed fingers.
-    closed: Vec<Patch>,
+    closed: Vec<(Patch, f64)>,
     palm: Vec<usize>,
 }
 
@@ -31,7 +31,11 @@ impl<'a> Goals<'a> {
         let inside = matches!(shape.thumb, ThumbGoal::Touch(ThumbPart::Tip, _, ThumbTarget::MiddleFront))
             || matches!(shape.thumb, ThumbGoal::Between(..));
         let closed = (0..4).filter(|i| shape.flexion[*i] == "closed" && !inside);
-        let closed = closed.filter_map(|i| hand.finger_patch(Digit::FINGERS[i], 2, 0.75, -DVec3::Y)).collect();
+        let places = closed.flat_map(|i| [(i, 0.75, 0.5), (i, 0.3, 0.25)]);
+        let closed = places.filter_map(|(i, share, weight)| {
+            hand.finger_patch(Digit::FINGERS[i], 2, share, -DVec3::Y).map(|patch| (patch, weight))
+        });
+        let closed = closed.collect();
         let contact = hand.patches(&shape.thumb);
         Goals { hand, shape, contact, apart: pairs(hand, &palm), together: together(hand, shape), closed, palm }
     }
@@ -53,15 +57,15 @@ impl<'a> Goals<'a> {
         let posed = self.hand.pose(&HandAngles::from_array(x));
         let mut rows = Vec::with_capacity(4096);
         self.contact_rows(&posed, &mut rows);
-        for (own, other) in &self.apart {
-            rows.extend(own.iter().map(|v| (posed.depth_mm(*v, other) - PRESS_MM).max(0.0) * 0.6));
+        for (own, other, weight) in &self.apart {
+            rows.extend(own.iter().map(|v| (posed.depth_mm(*v, other) - PRESS_MM).max(0.0) * weight));
         }
         for (a, b, weight) in &self.together {
             let ((p, n), (q, _)) = (posed.middle(a), posed.middle(b));
             rows.push(((q - p).dot(n) * 1000.0 - 0.3) * weight);
         }
-        for patch in &self.closed {
-            rows.push(self.above_palm_mm(&posed, patch) * 0.5);
+        for (patch, weight) in &self.closed {
+            rows.push((posed.above_mm(posed.middle(patch).0, &self.palm) - 0.2) * weight);
         }
         self.near_the_table(x, &mut rows);
         rows
@@ -99,25 +103,26 @@ impl<'a> Goals<'a> {
                     ThumbPart::Tip | ThumbPart::Side => 0.2,
                 };
                 rows.extend((facing * weight).to_array());
+                if targets.len() > 1 {
+                    rows.extend(targets.iter().map(|t| posed.above_mm(posed.middle(t).0, thumb.vertices()) * 0.8));
+                }
             }
             ThumbGoal::Posture(_) => {}
         }
     }
 
-    /// How far a patch hangs above the palm; negative inside, millimetres.
-    fn above_palm_mm(&self, posed: &PosedHand, patch: &Patch) -> f64 {
-        let (p, _) = posed.middle(patch);
-        let nearest = self.palm.iter().map(|v| (posed.skin.positions[*v].distance_squared(p), *v));
-        let Some((_, v)) = nearest.min_by(|a, b| a.0.total_cmp(&b.0)) else { return 0.0 };
-        (p - posed.skin.positions[v]).dot(posed.skin.normals[v]) * 1000.0
-    }
-
     /// Weak springs: to the table, of like-bent neighbours to one another, of neighbouring knuckles.
     fn near_the_table(&self, x: [f64; 21], rows: &mut Vec<f64>) {
         let table = self.shape.table.to_array();
+        let straight_thumb = matches!(self.shape.thumb, ThumbGoal::Touch(ThumbPart::Joint, ..));
         let free_thumb = matches!(self.shape.thumb, ThumbGoal::Posture(_));
         for i in 0..21 {
-            let weight = if i < 16 { 0.12 } else if free_thumb { 0.5 } else { 0.03 };
+            let weight = match i {
+                0..16 => 0.12,
+                _ if free_thumb => 0.5,
+                19.. if straight_thumb => 0.3,
+                _ => 0.03,
+            };
             rows.push((x[i] - table[i]).to_degrees() * weight);
         }
         for i in 0..3 {
@@ -140,17 +145,17 @@ fn vertices(hand: &HandSkin, of: impl Fn(HandBone) -> bool) -> Vec<usize> {
 }
 
 /// What must stay out of what: outer phalanges out of the palm, each digit out of each other.
-fn pairs(hand: &HandSkin, palm: &[usize]) -> Vec<(Vec<usize>, Vec<usize>)> {
+fn pairs(hand: &HandSkin, palm: &[usize]) -> Vec<(Vec<usize>, Vec<usize>, f64)> {
     let of = |d: Digit, least: usize| {
         vertices(hand, |b| matches!(b, HandBone::Phalanx(digit, k) if digit == d && k >= least))
     };
     let mut pairs = Vec::new();
     for d in Digit::ALL {
         let outer = of(d, if d == Digit::Thumb { 2 } else { 1 });
-        pairs.push((outer.clone(), palm.to_vec()));
+        pairs.push((outer.clone(), palm.to_vec(), 1.0));
         for other in Digit::ALL.into_iter().filter(|o| *o != d) {
             let least = usize::from(other == Digit::Thumb);
-            pairs.push((outer.clone(), of(other, least)));
+            pairs.push((outer.clone(), of(other, least), 0.6));
         }
     }
     pairs
@@ -160,7 +165,8 @@ fn pairs(hand: &HandSkin, palm: &[usize]) -> Vec<(Vec<usize>, Vec<usize>)> {
 fn together(hand: &HandSkin, shape: &Handshape) -> Vec<(Patch, Patch, f64)> {
     let mut found = Vec::new();
     for i in 0..3 {
-        let alike = shape.flexion[i] == shape.flexion[i + 1] && !shape.flexion[i].is_empty();
+        let (a, b) = (shape.table.fingers[i], shape.table.fingers[i + 1]);
+        let alike = (a.mcp - b.mcp).abs() < 0.2 && (a.pip - b.pip).abs() < 0.2;
         if !alike || shape.spread[i].abs() > 0.02 || shape.spread[i + 1].abs() > 0.02 || shape.crossing.is_some() {
             continue;
         }

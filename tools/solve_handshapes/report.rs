@@ -5,13 +5,22 @@ use chereme::body::hand_skin::{HandBone, HandSkin};
 use chereme::diagnostics::Error;
 use chereme::motion::pose::LocalPose;
 use chereme::motion::skeleton::Skeleton;
-use chereme::phonology::handshape::{HandAngles, Handshape, ThumbGoal};
+use chereme::phonology::handshape::{HandAngles, HandLimits, Handshape, ThumbGoal};
 use chereme::phonology::{Digit, Side};
 use std::fmt::Write;
 
-/// The angles as the table keeps them: tenths of a degree.
+/// The angles as the table keeps them: tenths of a degree, still within limits (the limit of abduction is no round
+/// number).
 pub fn rounded(hand: &HandAngles) -> HandAngles {
-    HandAngles::from_array(hand.to_array().map(|a| ((a.to_degrees() * 10.0).round() / 10.0).to_radians()))
+    let tenths = |round: fn(f64) -> f64, angle: f64| (round(angle.to_degrees() * 10.0) / 10.0).to_radians();
+    let mut kept = HandAngles::from_array(hand.to_array().map(|a| tenths(f64::round, a)));
+    for (finger, limits) in kept.fingers.iter_mut().zip(HandLimits::ANATOMICAL.fingers) {
+        let inside = limits.abduction_at(finger.mcp).clamp(finger.abduction);
+        if inside != finger.abduction {
+            finger.abduction = tenths(f64::trunc, inside);
+        }
+    }
+    kept
 }
 
 /// The table's text with every row's `solved` line set anew; all else stays as it was written.
@@ -27,7 +36,9 @@ pub fn with_solutions(text: &str, shapes: &[Handshape]) -> String {
             let id = rest.split('"').next().unwrap_or_default();
             current = shapes.iter().find(|s| s.id == id);
         }
-        if word == ")," && let Some(shape) = current.take() {
+        if word == "),"
+            && let Some(shape) = current.take()
+        {
             out.push_str(&solved_line(shape));
         }
         out.push_str(line);
@@ -62,7 +73,8 @@ pub fn line(hand: &HandSkin, shape: &Handshape) -> String {
     for a in Digit::ALL {
         let own = of(&|b| matches!(b, HandBone::Phalanx(d, k) if d == a && k >= 1));
         for b in Digit::ALL.into_iter().filter(|b| *b != a) {
-            let other = of(&|bone| matches!(bone, HandBone::Phalanx(d, k) if d == b && k >= usize::from(b == Digit::Thumb)));
+            let other =
+                of(&|bone| matches!(bone, HandBone::Phalanx(d, k) if d == b && k >= usize::from(b == Digit::Thumb)));
             let depth = posed.deepest_mm(&own, &other);
             if depth > worst.0 {
                 worst = (depth, format!("{}>{}", a.name(), b.name()));
