@@ -2,6 +2,7 @@
 
 use crate::body::landmarks::Landmarks;
 use crate::body::signer::Signer;
+use crate::body::skin::{Skin, SkinPart};
 use crate::diagnostics::Error;
 use crate::format::glb;
 use crate::motion::skeleton::Skeleton;
@@ -26,4 +27,22 @@ pub fn signer() -> Result<Signer, Error> {
     let skeleton = Skeleton::from_json(SKELETON)?;
     let landmarks = Landmarks::builtin(&skeleton)?;
     Signer::new(Arc::new(skeleton), glb::morph_names(GLB)?, landmarks)
+}
+
+/// The avatar's surface, for measuring.
+///
+/// # Errors
+/// Only where the embedded files do not fit each other.
+pub fn skin(skeleton: &Skeleton) -> Result<Skin, Error> {
+    let model = glb::read::read(GLB)?;
+    let joints = model.joints.iter().map(|j| skeleton.joint(&j.name)).collect::<Result<Vec<_>, _>>()?;
+    let parts = model.parts.iter().filter(|p| !p.joints.is_empty()).map(|part| SkinPart {
+        name: part.material.clone(),
+        positions: part.positions.clone(),
+        normals: part.normals.clone(),
+        triangles: part.triangles.clone(),
+        joints: part.joints.iter().map(|four| four.map(|j| joints[usize::from(j)])).collect(),
+        weights: part.weights.clone(),
+    });
+    Skin::new(skeleton, &parts.collect::<Vec<_>>())
 }

@@ -68,7 +68,7 @@ impl HandRig {
     }
 
     /// The three joints of a digit, from the hand outwards.
-    pub fn joints(&self, digit: Digit) -> [JointId; 3] {
+    pub fn of_digit(&self, digit: Digit) -> [JointId; 3] {
         match digit {
             Digit::Thumb => self.thumb,
             Digit::Index => self.fingers[0],
@@ -78,9 +78,9 @@ impl HandRig {
         }
     }
 
-    /// All fifteen joints, the thumb's first.
-    pub fn all_joints(&self) -> impl Iterator<Item = JointId> + '_ {
-        Digit::ALL.into_iter().flat_map(|d| self.joints(d))
+    /// All fifteen joints: three a digit, from the thumb to the little finger.
+    pub fn joints(&self) -> [JointId; 15] {
+        std::array::from_fn(|i| self.of_digit(Digit::ALL[i / 3])[i % 3])
     }
 
     /// Sets the fifteen finger joints; nothing else of the pose changes.

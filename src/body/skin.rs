@@ -149,6 +149,16 @@ impl Skin {
         Region((0u32..).zip(&self.triangles).filter(|(_, t)| whole(t)).map(|(i, _)| i).collect())
     }
 
+    /// The triangles all of whose corners are among the vertices.
+    pub fn region_of_vertices(&self, vertices: &[usize]) -> Region {
+        let mut inside = vec![false; self.len()];
+        for v in vertices {
+            inside[*v] = true;
+        }
+        let whole = |t: &[u32; 3]| t.iter().all(|v| inside[*v as usize]);
+        Region((0u32..).zip(&self.triangles).filter(|(_, t)| whole(t)).map(|(i, _)| i).collect())
+    }
+
     /// The surface of those joints alone: a smaller skin that is faster to pose.
     pub fn subset(&self, of_joint: impl Fn(JointId) -> bool) -> Skin {
         let keep: Vec<usize> = (0..self.len()).filter(|v| of_joint(self.main_joint(*v))).collect();
@@ -244,12 +254,11 @@ impl PosedSkin<'_> {
         Some(Nearest { at, point: place, normal, signed_m: squared.sqrt() * sign })
     }
 
-    /// The farthest point of the region that a ray meets within `reach_m`.
-    pub fn farthest_hit(&self, from: DVec3, along: DVec3, reach_m: f64, region: &Region) -> Option<SkinPoint> {
-        let hits =
-            region.0.iter().filter_map(|t| ray_hit(from, along, self.corners(*t)).map(|(s, shares)| (s, *t, shares)));
-        let inside = hits.filter(|(s, ..)| *s <= reach_m);
-        inside.max_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, triangle, shares)| SkinPoint { triangle, shares })
+    /// The first point of the region that a ray meets within `reach_m` metres.
+    pub fn first_hit(&self, from: DVec3, along: DVec3, reach_m: f64, region: &Region) -> Option<SkinPoint> {
+        let hit = |t: &u32| ray_hit(from, along, self.corners(*t)).map(|(s, shares)| (s, *t, shares));
+        let inside = region.0.iter().filter_map(hit).filter(|(s, ..)| *s <= reach_m);
+        inside.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, triangle, shares)| SkinPoint { triangle, shares })
     }
 
     fn corners(&self, triangle: u32) -> [DVec3; 3] {

@@ -88,13 +88,13 @@ fn read_file(path: &Path) -> Result<Text, Failure> {
 }
 
 /// Writes a file whole or not at all: first beside it, then renamed over it.
-pub(super) fn write_whole(path: &Path, text: &str) -> Result<(), Failure> {
+pub(super) fn write_whole(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
     let told = |e: std::io::Error| Failure::Faults(Some(format!("{}: {e}", path.display())));
     // A link stays a link: its target is replaced.
     let target = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
     let name = target.file_name().map(|n| n.to_string_lossy().into_owned()).unwrap_or_default();
     let beside = target.with_file_name(format!(".{name}.{}.new", std::process::id()));
-    let written = fs::write(&beside, text)
+    let written = fs::write(&beside, bytes)
         .and_then(|()| match fs::metadata(&target) {
             Ok(old) => fs::set_permissions(&beside, old.permissions()),
             Err(_) => Ok(()),

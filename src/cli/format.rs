@@ -33,7 +33,7 @@ impl Format {
                     terminal::out(&new);
                     continue;
                 }
-                Some(path) if differs && !self.check => files::write_whole(path, &new)?,
+                Some(path) if differs && !self.check => files::write_whole(path, new.as_bytes())?,
                 _ if differs => terminal::out(&format!("{} would change\n", text.source.name)),
                 _ => {}
             }

@@ -9,6 +9,7 @@ mod files;
 mod format;
 mod list;
 mod new;
+mod render;
 mod terminal;
 mod world;
 
@@ -22,7 +23,7 @@ use std::process::ExitCode;
     name = "chereme",
     version,
     arg_required_else_help = true,
-    after_help = "Examples:\n  chereme new BOL -o lexicon/lsf/bol.sign   begin a sign\n  chereme check lexicon                     find its faults\n  chereme fmt lexicon                       lay it out\n  chereme explain BOL                       say it in plain words\n\nExit codes: 0 fine, 1 faults found, 2 wrong usage."
+    after_help = "Examples:\n  chereme render BOL -o bol.html            see it signed, in a browser\n  chereme new BOL -o lexicon/lsf/bol.sign   begin a sign\n  chereme check lexicon                     find its faults\n  chereme fmt lexicon                       lay it out\n  chereme explain BOL                       say it in plain words\n\nExit codes: 0 fine, 1 faults found, 2 wrong usage."
 )]
 struct Cli {
     #[command(flatten)]
@@ -45,6 +46,8 @@ pub(crate) struct Sources {
 
 #[derive(Debug, Subcommand)]
 enum Command {
+    /// Turn signs into motion: a page to look at, or a file for other programs
+    Render(render::Render),
     /// Find the faults of signs
     Check(check::Check),
     /// Lay signs out: two spaces before a tier, values in one column, comments kept
@@ -61,7 +64,6 @@ enum Command {
         /// The shell
         shell: clap_complete::Shell,
     },
-    // `render` (a sign to motion) is added here.
 }
 
 /// Why a command did not do its task.
@@ -77,6 +79,7 @@ pub(crate) enum Failure {
 pub fn run() -> ExitCode {
     let cli = Cli::parse();
     let done = match cli.command {
+        Command::Render(render) => render.run(&cli.sources),
         Command::Check(check) => check.run(&cli.sources),
         Command::Fmt(format) => format.run(),
         Command::List(list) => list.run(&cli.sources),

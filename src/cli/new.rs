@@ -45,7 +45,7 @@ impl New {
         if let Some(folder) = path.parent().filter(|f| !f.as_os_str().is_empty()) {
             std::fs::create_dir_all(folder).map_err(|e| Failure::Faults(Some(format!("{}: {e}", folder.display()))))?;
         }
-        files::write_whole(path, &text)?;
+        files::write_whole(path, text.as_bytes())?;
         terminal::err(&format!("wrote {}\n", path.display()));
         Ok(())
     }

@@ -7,7 +7,8 @@ use crate::notation::lexicon::{Checked, embedded};
 use crate::notation::{Lexicon, Vocabulary, source_of_bytes};
 use crate::phonology::LocationInventory;
 use crate::phonology::expression::Expressions;
-use crate::phonology::handshape::HandshapeInventory;
+use crate::phonology::movement_table::MovementTable;
+use crate::synthesis::Grammar;
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -40,25 +41,34 @@ fn told(faults: &[Diagnostic], source: &Source) -> Failure {
 }
 
 /// The inventories with the folders' rows.
-pub(super) fn vocabulary(sources: &Sources) -> Result<Vocabulary, Failure> {
-    let mut handshapes = HandshapeInventory::embedded();
-    let mut places = LocationInventory::builtin();
-    let mut expressions = Expressions::embedded();
+pub(super) fn grammar(sources: &Sources) -> Result<Grammar, Failure> {
+    let mut grammar = Grammar::builtin();
     for folder in folders("grammar", &sources.grammar)? {
         if let Some(source) = table(&folder, "handshapes.ron")? {
-            handshapes = handshapes.overridden(&source).map_err(|faults| told(&faults, &source))?;
+            let own: Result<_, Vec<Diagnostic>> = grammar.handshapes.overridden(&source);
+            grammar.handshapes = own.map_err(|faults| told(&faults, &source))?;
         }
         if let Some(source) = table(&folder, "locations.ron")? {
             let own = LocationInventory::from_source(&source).map_err(|faults| told(&faults, &source))?;
-            let joined = places.overridden_by(&own);
-            places = joined.map_err(|all| Failure::Faults(Some(format!("{}: {}", source.name, all.join("; ")))))?;
+            let joined = grammar.locations.overridden_by(&own);
+            grammar.locations =
+                joined.map_err(|all| Failure::Faults(Some(format!("{}: {}", source.name, all.join("; ")))))?;
         }
         if let Some(source) = table(&folder, "nonmanuals.ron")? {
             let own = Expressions::read(&source).map_err(|fault| told(&[fault], &source))?;
-            expressions = expressions.overridden_by(own);
+            grammar.expressions = grammar.expressions.overridden_by(own);
+        }
+        if let Some(source) = table(&folder, "movements.ron")? {
+            grammar.movements = MovementTable::read(&source).map_err(|fault| told(&[fault], &source))?;
         }
     }
-    Ok(Vocabulary::of(&handshapes, &places, &expressions))
+    Ok(grammar)
+}
+
+/// The names of the inventories.
+pub(super) fn vocabulary(sources: &Sources) -> Result<Vocabulary, Failure> {
+    let grammar = grammar(sources)?;
+    Ok(Vocabulary::of(&grammar.handshapes, &grammar.locations, &grammar.expressions))
 }
 
 /// The program's signs with the folders' signs. Faults of the folders are told, and the sound signs used.

@@ -119,7 +119,7 @@ impl Vocabulary {
     /// assert_eq!(Vocabulary::builtin().handshape("M", "lsf"), Found::One("M-lsf"));
     /// ```
     pub fn builtin() -> Vocabulary {
-        Vocabulary::of(&HandshapeInventory::embedded(), &LocationInventory::builtin(), &Expressions::embedded())
+        Vocabulary::of(&HandshapeInventory::builtin(), &LocationInventory::builtin(), &Expressions::embedded())
     }
 
     /// The names of inventories.

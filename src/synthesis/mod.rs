@@ -49,7 +49,7 @@ impl Grammar {
     /// The inventories that come with the program.
     pub fn builtin() -> Grammar {
         Grammar {
-            handshapes: HandshapeInventory::embedded(),
+            handshapes: HandshapeInventory::builtin(),
             locations: LocationInventory::builtin(),
             movements: MovementTable::embedded(),
             expressions: Expressions::embedded(),

@@ -15,7 +15,7 @@ use crate::motion::pose::{LocalPose, ModelPose};
 use crate::motion::rotation::{continuous, twist_angle};
 use crate::motion::skeleton::JointId;
 use crate::phonology::handshape::HandAngles;
-use crate::phonology::{Configuration, Digit, Movement, NonManualValue, Place, Side, Sign};
+use crate::phonology::{Configuration, Movement, NonManualValue, Place, Side, Sign};
 use crate::time::{FrameIndex, Seconds};
 use crate::track::Track;
 use glam::{DQuat, DVec3};
@@ -285,7 +285,7 @@ impl Writer<'_> {
         let lead = self.grammar.movements.timing.handshape_lead;
         let loose = self.fingers(plan.side, &self.relaxed);
         let shapes: Vec<Fingers> = plan.keys.iter().map(|k| self.fingers(plan.side, &k.angles)).collect();
-        let joints = self.joints(plan.side);
+        let joints = self.signer.hand(plan.side).joints();
         let blend = |a: &Fingers, b: &Fingers, w: f64| -> Fingers {
             if w <= 0.0 {
                 *a
@@ -332,13 +332,7 @@ impl Writer<'_> {
         let hand = self.signer.hand(side);
         let mut pose = self.neutral.clone();
         hand.apply(angles, &mut pose);
-        self.joints(side).map(|j| pose.rotation(j))
-    }
-
-    /// The joints of a hand's fingers, thumb first, three a digit.
-    fn joints(&self, side: Side) -> [JointId; 15] {
-        let hand = self.signer.hand(side);
-        std::array::from_fn(|i| hand.joints(Digit::ALL[i / 3])[i % 3])
+        hand.joints().map(|j| pose.rotation(j))
     }
 
     /// Eases the arm's joints from the neutral pose to the stroke and back (Naert et al. 2021, §4.2).

@@ -41,7 +41,7 @@ fn tips(rig: &HandRig, skeleton: &Skeleton, angles: &HandAngles) -> [DVec3; 5] {
     rig.apply(angles, &mut pose);
     let model = pose.to_model(skeleton);
     Digit::ALL.map(|d| {
-        let last = rig.joints(d)[2];
+        let last = rig.of_digit(d)[2];
         model.point(last, skeleton[last].tail_model - skeleton[last].rest_model)
     })
 }
@@ -73,7 +73,7 @@ proptest! {
         let rig = HandRig::new(&skeleton, Side::Right).expect("the avatar has hands");
         let mut pose = LocalPose::rest(&skeleton);
         rig.apply(&hand, &mut pose);
-        let own: Vec<_> = rig.all_joints().collect();
+        let own = rig.joints();
         for id in skeleton.ids().filter(|id| !own.contains(id)) {
             prop_assert_eq!(pose.rotation(id), glam::DQuat::IDENTITY);
         }

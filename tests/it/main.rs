@@ -2,6 +2,7 @@
 mod body_hand;
 mod body_landmarks;
 mod format_glb;
+mod phonology_handshape;
 
 mod cli;
 mod format_glb_write;
@@ -17,9 +18,8 @@ mod notation_format;
 mod notation_laws;
 mod notation_lexicon;
 mod notation_signs;
-mod phonology_handshape;
 mod phonology_location;
-mod strategies;
 mod phonology_orientation;
 mod phonology_tables;
 mod shared;
+mod strategies;

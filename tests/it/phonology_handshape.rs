@@ -14,7 +14,7 @@ fn faults(text: &str) -> Vec<(String, (usize, usize))> {
 
 fn changed(base: &str, change: HandshapeChange) -> chereme::phonology::HandAngles {
     let configuration = Configuration { changes: vec![change], ..Configuration::named(base) };
-    HandshapeInventory::embedded().angles(&configuration, None).expect("a known handshape")
+    HandshapeInventory::builtin().angles(&configuration, None).expect("a known handshape")
 }
 
 /// A sound row with one thing replaced.
@@ -32,7 +32,7 @@ fn row_with(from: &str, to: &str) -> String {
 
 #[test]
 fn the_inventory_has_75_handshapes_within_limits() {
-    let inventory = HandshapeInventory::embedded();
+    let inventory = HandshapeInventory::builtin();
     assert_eq!(inventory.shapes().len(), 75);
     for shape in inventory.shapes() {
         assert!(HandLimits::ANATOMICAL.hold(&shape.angles()), "{}", shape.id);
@@ -43,7 +43,7 @@ fn the_inventory_has_75_handshapes_within_limits() {
 
 #[test]
 fn letters_resolve_in_their_language_first() {
-    let inventory = HandshapeInventory::embedded();
+    let inventory = HandshapeInventory::builtin();
     let found = |name: &str, language: Option<&str>| inventory.find(name, language).map(|s| s.id.clone());
     assert_eq!(found("F", Some("lsf")), Ok("F-lsf".to_owned()));
     assert_eq!(found("F", Some("asl")), Ok("F".to_owned()));
@@ -56,7 +56,7 @@ fn letters_resolve_in_their_language_first() {
 
 #[test]
 fn both_alphabets_are_whole() {
-    let inventory = HandshapeInventory::embedded();
+    let inventory = HandshapeInventory::builtin();
     for language in ["asl", "lsf"] {
         for letter in 'A'..='Z' {
             let found = inventory.find(&letter.to_string(), Some(language));
@@ -75,7 +75,7 @@ fn both_alphabets_are_whole() {
 
 #[test]
 fn changes_do_what_they_say() {
-    let inventory = HandshapeInventory::embedded();
+    let inventory = HandshapeInventory::builtin();
     let plain = |id: &str| inventory.find(id, None).expect("a known handshape").angles();
     let out = changed("U", HandshapeChange::Thumb(ThumbPosition::Out));
     assert_eq!(out.fingers, plain("U").fingers);
@@ -95,7 +95,7 @@ fn changes_do_what_they_say() {
 
 #[test]
 fn between_is_halfway() {
-    let inventory = HandshapeInventory::embedded();
+    let inventory = HandshapeInventory::builtin();
     let configuration = Configuration { between: Some("fist-s".to_owned()), ..Configuration::named("flat") };
     let half = inventory.angles(&configuration, None).expect("known handshapes");
     let [a, b] = ["flat", "fist-s"].map(|id| inventory.find(id, None).expect("a known handshape").angles());
@@ -104,7 +104,7 @@ fn between_is_halfway() {
 
 #[test]
 fn every_change_keeps_within_limits() {
-    let inventory = HandshapeInventory::embedded();
+    let inventory = HandshapeInventory::builtin();
     let mut changes: Vec<HandshapeChange> = ThumbPosition::ALL.map(HandshapeChange::Thumb).to_vec();
     let sets = [Digits::NONE, Digits::FINGERS, Digits::of([Digit::Thumb, Digit::Ring])];
     changes.extend(sets.iter().flat_map(|d| Bend::ALL.map(|b| HandshapeChange::Bend(*d, b))));
@@ -126,7 +126,7 @@ fn every_change_keeps_within_limits() {
 fn a_sound_row_loads_and_overrides() {
     assert_eq!(faults(&row_with("", "")), []);
     let text = row_with("paddle", "B").replace("XY P", "XY B");
-    let inventory = HandshapeInventory::embedded().overridden(&Source::new("mine.ron", text)).expect("a sound row");
+    let inventory = HandshapeInventory::builtin().overridden(&Source::new("mine.ron", text)).expect("a sound row");
     assert_eq!(inventory.shapes().len(), 75);
     let shape = inventory.find("B", None).expect("the new row");
     assert_eq!(shape.aliases, ["XY B"]);

@@ -2,8 +2,9 @@
 
 use super::row::{Level, Row, Table};
 use super::shape::Handshape;
-use crate::diagnostics::{Diagnostic, Source, Span};
+use crate::diagnostics::{Diagnostic, Error, Source, Span};
 use crate::phonology::grammar::read_table;
+use crate::phonology::{Configuration, HandPoint};
 use std::collections::BTreeMap;
 use std::fmt;
 use unicode_normalization::UnicodeNormalization;
@@ -48,6 +49,12 @@ impl fmt::Display for NotFound {
 
 impl std::error::Error for NotFound {}
 
+impl From<NotFound> for Error {
+    fn from(not_found: NotFound) -> Error {
+        Error::new(not_found.to_string())
+    }
+}
+
 impl HandshapeInventory {
     /// Reads and checks a table.
     ///
@@ -58,7 +65,7 @@ impl HandshapeInventory {
     }
 
     /// The program's own table.
-    pub fn embedded() -> HandshapeInventory {
+    pub fn builtin() -> HandshapeInventory {
         let text = include_str!("../../../grammar/handshapes.ron");
         HandshapeInventory::read(&Source::new("grammar/handshapes.ron", text))
             .expect("the embedded table is read by a test")
@@ -135,7 +142,7 @@ impl HandshapeInventory {
     ///
     /// ```
     /// use chereme::phonology::handshape::HandshapeInventory;
-    /// let inventory = HandshapeInventory::embedded();
+    /// let inventory = HandshapeInventory::builtin();
     /// assert_eq!(inventory.find("m", Some("lsf")).unwrap().id, "M-lsf");
     /// assert!(inventory.find("M", None).is_err());
     /// ```
@@ -163,6 +170,14 @@ impl HandshapeInventory {
                 Err(NotFound::Ambiguous { name: name.to_owned(), ids })
             }
         }
+    }
+
+    /// The point of the hand that touches a place where the sign does not say: that of the named handshape.
+    ///
+    /// # Errors
+    /// As [`HandshapeInventory::find`].
+    pub fn touches_with(&self, configuration: &Configuration, language: Option<&str>) -> Result<HandPoint, NotFound> {
+        self.find(&configuration.base, language).map(|shape| shape.touches_with)
     }
 
     fn nearest(&self, wanted: &str) -> Option<String> {
