@@ -288,7 +288,8 @@ impl Planner<'_> {
                 };
                 let landmark = landmarks.body_place(&row.id, lateral)?;
                 let from = (landmark.position(self.neutral), landmark.normal(self.neutral));
-                let own_side = DVec3::X * side.sign() * if apart { HANDS_APART_ARMS * landmarks.arm_length() } else { 0.0 };
+                let own_side =
+                    DVec3::X * side.sign() * if apart { HANDS_APART_ARMS * landmarks.arm_length() } else { 0.0 };
                 Anchor::over(&landmark, metres(row.unmarked, from)).moved(own_side)
             }
             Place::OtherHand(point) => {

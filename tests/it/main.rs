@@ -22,4 +22,7 @@ mod phonology_location;
 mod phonology_orientation;
 mod phonology_tables;
 mod shared;
+mod signing;
 mod strategies;
+mod synthesis_path;
+mod synthesis_sign;
