@@ -8,6 +8,7 @@ mod cli;
 mod format_glb_write;
 mod format_html;
 mod layers;
+mod lexicon_alphabets;
 mod motion_arm;
 mod motion_easing;
 mod motion_fabrik;
