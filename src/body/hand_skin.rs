@@ -96,7 +96,8 @@ impl HandSkin {
             ThumbGoal::Posture(_) => return None,
             ThumbGoal::Touch(part, digits, target) => {
                 let thumb = self.thumb_patch(part)?;
-                let thumb = if several(digits) { self.widened(thumb) } else { thumb };
+                let lies_along = several(digits) || part == ThumbPart::Joint;
+                let thumb = if lies_along { self.widened(thumb) } else { thumb };
                 (thumb, digits.iter().map(|d| self.target_patch(d, target)).collect::<Vec<_>>())
             }
             ThumbGoal::Gap(digits, _) => {

@@ -96,15 +96,20 @@ impl<'a> Goals<'a> {
                 let along = off.dot(m);
                 let aside = off - m * along;
                 rows.push(along * 1.5);
-                rows.extend((aside * if pad_to_pad { 0.7 } else { 0.45 }).to_array());
+                let exact = match targets.len() {
+                    1 if pad_to_pad => 0.7,
+                    1 => 0.45,
+                    _ => 0.25,
+                };
+                rows.extend((aside * exact).to_array());
                 let weight = match part {
                     ThumbPart::Pad => 1.0,
                     ThumbPart::Joint => 0.5,
                     ThumbPart::Tip | ThumbPart::Side => 0.2,
                 };
                 rows.extend((facing * weight).to_array());
-                if targets.len() > 1 {
-                    rows.extend(targets.iter().map(|t| posed.above_mm(posed.middle(t).0, thumb.vertices()) * 0.8));
+                if targets.len() > 1 || part == ThumbPart::Joint {
+                    rows.extend(targets.iter().map(|t| posed.above_mm(posed.middle(t).0, thumb.vertices()) * 1.2));
                 }
             }
             ThumbGoal::Posture(_) => {}
@@ -152,10 +157,10 @@ fn pairs(hand: &HandSkin, palm: &[usize]) -> Vec<(Vec<usize>, Vec<usize>, f64)> 
     let mut pairs = Vec::new();
     for d in Digit::ALL {
         let outer = of(d, if d == Digit::Thumb { 2 } else { 1 });
-        pairs.push((outer.clone(), palm.to_vec(), 1.0));
+        pairs.push((outer.clone(), palm.to_vec(), 1.6));
         for other in Digit::ALL.into_iter().filter(|o| *o != d) {
             let least = usize::from(other == Digit::Thumb);
-            pairs.push((outer.clone(), of(other, least), 0.6));
+            pairs.push((outer.clone(), of(other, least), 0.9));
         }
     }
     pairs
