@@ -4,9 +4,11 @@
 
 pub mod avatar;
 pub mod body;
+pub mod cli;
 pub mod diagnostics;
 pub mod format;
 pub mod motion;
+pub mod notation;
 pub mod phonology;
 pub mod synthesis;
 pub mod tier;

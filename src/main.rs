@@ -1,2 +1,5 @@
 //! The `chereme` program.
-fn main() {}
+
+fn main() -> std::process::ExitCode {
+    chereme::cli::run()
+}

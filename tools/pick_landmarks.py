@@ -9,9 +9,10 @@ grammar/locations.ron change; nothing here is a coordinate typed in, every point
 
 How a point is found: a ray is cast at the mesh at rest (T-pose, palms down, Y up, facing +Z, the signer's left is +X, metres).
 It rides on the joint with the greatest skin weight where the ray meets the mesh, except that places of the trunk never ride
-on the arm and places on the midline never ride on one side. Its normal is the mean of the skin about it, so that it does not
-follow a crease. Only the middle and the left are picked and written; the right is the left's mirror image (Left <-> Right, x <-> -x),
-which is exact because the avatar is.
+on the arm, places on the midline never ride on one side, palm, back, edges and knuckles of the hand never ride on a finger,
+and the wrist rides on the forearm. Its normal is the mean of the skin about it, so that it does not follow a crease. Only the
+middle and the left are picked and written; the right is the left's mirror image (Left <-> Right, x <-> -x), which is exact
+because the avatar is.
 
 The order of the file: the mesh, the profile of the face, places of the body, points of the hand and arm, writing.
 """
@@ -192,21 +193,29 @@ class Body:
         hit = self.mesh.ray(np.asarray(origin, float), direction, among)
         return hit and self.mesh.point(hit, radius, among, midline=x == 0, ride=ride)
 
-    def triple(self, name, ray, wrap, radius, among, ride):
+    def triple(self, name, ray, wrap, radius, among, ride, past=0.12):
         """The place, `at` (half of the half-width to the left) and `beside` (1.5 of it); past the outline the ray comes from the side."""
         width = self.half_width[name] * self.arm
         out = {}
         for key, x in (('centre', 0.0), ('at', 0.5 * width), ('beside', 1.5 * width)):
             found = self.cast(*ray(x), radius, among, x, ride)
-            out[key] = found if found else self.cast(*wrap, radius, among, x, ride)
-            assert out[key], f'{name} {key}: no skin there'
+            # a ray that meets the body far behind the place has passed the outline too
+            if found is None or x and np.linalg.norm(found['position'] - out['centre']['position'] - [x, 0, 0]) > past:
+                found = self.cast(*wrap, radius, among, x, ride)
+            assert found, f'{name} {key}: no skin there'
+            out[key] = found
         return out
 
-    def front(self, name, y, radius, among, ride, turn, axis=None):
-        """A place touched from the front; `turn` degrees off the front is where `beside` lies when it passes the outline."""
+    def front(self, name, y, radius, among, ride, turn, axis=None, past=0.12):
+        """A place touched from the front; `turn` degrees off the front is where `beside` lies when it passes the outline.
+
+        Its normals are level, because a hand before the slanting skin of the upper chest is before it and not above it."""
         axis = np.array([0, y, self.head_depth if axis is None else axis])
         side = np.array([np.sin(np.radians(turn)), 0, np.cos(np.radians(turn))])
-        return self.triple(name, lambda x: ([x, y, 1.0], -Z), (axis + side, -side), radius, among, ride)
+        found = self.triple(name, lambda x: ([x, y, 1.0], -Z), (axis + side, -side), radius, among, ride, past)
+        for point in found.values():
+            point['normal'] = unit(point['normal'] * [1, 0, 1])
+        return found
 
     def places(self):
         mesh, pos, head, outer = self.mesh, self.pos, self.head, self.outer
@@ -230,7 +239,7 @@ class Body:
             ray = from_below(x) if key == 'at' else ([x, self.base_of_nose, 1.0], -Z)
             found[key] = self.cast(*ray, 0.006, face, x, ('Head',)) or self.cast([x, self.base_of_nose, 1.0], -Z, 0.006, face, x, ('Head',))
         out['nostrils'] = found
-        out['lips'] = self.front('lips', self.lips, 0.008, face, ('Head',), 60)
+        out['lips'] = self.front('lips', self.lips, 0.014, face, ('Head',), 60)
         for name, among in (('teeth', mesh.those('teeth')), ('tongue', mesh.those('tongue'))):
             corners = mesh.corners[among].reshape(-1, 3)
             front = corners[corners[:, 2] > corners[:, 2].max() - 0.004]
@@ -238,11 +247,12 @@ class Body:
             if name == 'teeth':  # the upper row
                 y = max(y, (self.lips + front[:, 1].max()) / 2)
             out[name] = self.front(name, y, 0.006, among, ('Head',), 60, axis=corners[:, 2].mean())
-        out['chin'] = self.front('chin', self.chin, 0.01, face, ('Head',), 60)
+        out['chin'] = self.front('chin', self.chin, 0.01, face, ('Head',), 60, axis=0.6 * self.depth(self.chin), past=0.04)
         z = self.depth(self.neck_fold - 0.004) * 0.5 + self.depth(self.chin) * 0.5
         low = self.neck_fold - 0.012
-        jaw = unit([0.8, -0.6, 0])
-        out['underchin'] = self.triple('underchin', lambda x: ([x, low, z], Y), (np.array([0, self.chin, z]) + jaw, -jaw), 0.012, face, ('Head',))
+        jaw = unit([0.6, -0.8, 0])  # beside it is the edge of the jaw, a little further back
+        inside = np.array([0.01, self.chin + 0.012, z - 0.015])
+        out['underchin'] = self.triple('underchin', lambda x: ([x, low, z], Y), (inside + jaw, -jaw), 0.012, face, ('Head',), past=0.01)
         neck = (self.neck_fold + self.notch) / 2
         out['neck'] = self.front('neck', neck, 0.015, outer, ('Neck', 'Head', 'Spine'), 60, axis=pos['Neck'][2])
         for name, y in (('shoulders', self.shoulders), ('chest', self.chest), ('stomach', self.stomach), ('belowstomach', self.below)):
@@ -270,8 +280,8 @@ class Body:
         pair('ear', from_left(ear_y, ear_z), from_left(ear_y, ear_z), 0.02, skin, ('Head',))
         lobe = from_left(bottom + 0.005, lobe_z)
         pair('earlobe', lobe, lobe, 0.012, skin, ('Head',))
-        # the cheek: outside the eye, at the height of the nose's underside
-        x, y = pos['LeftEye'][0] * 1.35, (self.nose + self.base_of_nose) / 2
+        # the cheek: below the outer corner of the eye, at the height of the nose's underside
+        x, y = pos['LeftEye'][0] * 1.7, self.base_of_nose
         aim = unit([0.5, 0, 0.866])
         wide = x + 1.5 * self.half_width['cheek'] * self.arm
         on_front = self.cast([x, y, 1.0], -Z, 0.012, face, 1, ('Head',))['position']
@@ -301,11 +311,12 @@ class Limb:
         self.skin = left & mesh.those('hands', 'suit')
         self.hand = left & mesh.those('hands')
 
-    def exit(self, origin, direction, radius, last=False, among=None):
+    def exit(self, origin, direction, radius, last=False, among=None, ride=None):
         among = self.hand if among is None else among
         hit = self.mesh.ray(origin, direction, among, last=last)
         assert hit, f'no skin from {origin} along {direction}'
-        return self.mesh.point(hit, radius, among)
+        found = self.mesh.point(hit, radius, among)
+        return {**found, 'joint': ride} if ride else found
 
     def digit_frame(self, digit):
         """Joint positions from base to tip, and the dorsal, radial directions of the digit at rest."""
@@ -347,14 +358,14 @@ class Limb:
             walls = [self.exit(inside, d, 0.003)['position'] for d in (dorsal, -dorsal)]
             return sum(walls) / 2
 
-        def flanks(name, origin, here, radius, slant=None):
+        def flanks(name, origin, here, radius, slant=None, ride=None):
             """The point itself, met along `here`, and its four faces; with `slant` the sides are half-way to it."""
-            out[name] = self.exit(origin, here, radius)
+            out[name] = self.exit(origin, here, radius, ride=ride)
             faces = {'radial': radial, 'ulnar': -radial, 'dorsal': dorsal, 'palmar': -dorsal}
             for face, d in faces.items():
                 if slant is not None and face in ('radial', 'ulnar'):
                     d = d + slant
-                out[f'{face} {name}'] = self.exit(origin, unit(d), radius)
+                out[f'{face} {name}'] = self.exit(origin, unit(d), radius, ride=ride)
 
         near_end = station(0.86)
         flanks(f'{digit} tip', near_end, axis, 0.004)
@@ -362,7 +373,8 @@ class Limb:
         flanks(f'{digit} pad', station(0.55), -dorsal, 0.004, slant=-dorsal)
         pip, mcp, side = (three, two, along(two, three, 0.5)) if digit == 'thumb' else (two, one, along(two, three, 0.5))
         flanks(f'{digit} midjoint', pip, dorsal, 0.004)
-        flanks(f'{digit} base', mcp, dorsal, 0.006, slant=dorsal)
+        # a knuckle is the head of the metacarpal: it stays with the hand when its finger bends
+        flanks(f'{digit} base', mcp, dorsal, 0.006, slant=dorsal, ride='LeftHandThumb1' if digit == 'thumb' else 'LeftHand')
         flanks(f'{digit} side', side, -radial if digit == 'pinky' else radial, 0.004)
         return out
 
@@ -373,23 +385,24 @@ class Limb:
         along = lambda a, b, part: a + (b - a) * part
         tilt = lambda a, b: unit(a + b)
 
-        def part(name, origin, default, faces, radius, among=None, last=False):
-            get = lambda d: self.exit(d[0] if isinstance(d, tuple) else origin, unit(d[1] if isinstance(d, tuple) else d), radius, last, among)
+        def part(name, origin, default, faces, radius, among=None, last=False, ride=None):
+            get = lambda d: self.exit(d[0] if isinstance(d, tuple) else origin, unit(d[1] if isinstance(d, tuple) else d), radius, last, among, ride)
             out[name] = get(default)
             for face, d in faces.items():
                 out[f'{face} {name}'] = get(d)
 
-        # the hand: half-way from the wrist to the knuckles, between those of the middle and ring finger
-        middle = along(wrist, (knuckle['middle'] + knuckle['ring']) / 2, 0.55)
+        # the hand: two thirds of the way from the wrist to the knuckles, between those of the middle and ring finger
+        middle = along(wrist, (knuckle['middle'] + knuckle['ring']) / 2, 0.65)
         toward_index = along(wrist, knuckle['index'], 0.85)
         toward_pinky = along(wrist, knuckle['pinky'], 0.6)
         across = {'radial': (toward_index, -Y), 'ulnar': (toward_pinky, -Y), 'dorsal': (middle, Y), 'palmar': (middle, -Y)}
-        part('palm', middle, -Y, across, 0.008)
-        part('back', middle, Y, {**across, 'radial': (toward_index, Y), 'ulnar': (toward_pinky, Y)}, 0.008)
-        edge = along(wrist, knuckle['index'], 0.9)
-        part('thumb-side', edge, Z, {'radial': Z, 'ulnar': Z, 'dorsal': tilt(Z, Y), 'palmar': tilt(Z, -Y)}, 0.006)
+        # palm, back and edges stay with the hand when a finger bends at the knuckle beside them
+        part('palm', middle, -Y, across, 0.008, ride='LeftHand')
+        part('back', middle, Y, {**across, 'radial': (toward_index, Y), 'ulnar': (toward_pinky, Y)}, 0.008, ride='LeftHand')
+        edge = knuckle['index']
+        part('thumb-side', edge, Z, {'radial': Z, 'ulnar': Z, 'dorsal': tilt(Z, Y), 'palmar': tilt(Z, -Y)}, 0.006, ride='LeftHand')
         edge = along(wrist, knuckle['pinky'], 0.6)
-        part('pinky-side', edge, -Z, {'radial': -Z, 'ulnar': -Z, 'dorsal': tilt(-Z, Y), 'palmar': tilt(-Z, -Y)}, 0.006)
+        part('pinky-side', edge, -Z, {'radial': -Z, 'ulnar': -Z, 'dorsal': tilt(-Z, Y), 'palmar': tilt(-Z, -Y)}, 0.006, ride='LeftHand')
         # the ball of the thumb: amid its metacarpal, on the palm's side
         one, two = pos['LeftHandThumb1'], pos['LeftHandThumb2']
         out_of_palm = unit(-Y - ((-Y) @ unit(two - one)) * unit(two - one))
@@ -403,8 +416,9 @@ class Limb:
             return {'radial': radial, 'ulnar': -radial, 'dorsal': dorsal, 'palmar': -dorsal}
 
         at_wrist, amid, at_elbow = faces(np.pi / 2), faces(np.pi / 4), faces(0.0)
-        part('wrist-back', wrist, at_wrist['dorsal'], at_wrist, 0.01)
-        part('wrist-pulse', wrist, at_wrist['palmar'], at_wrist, 0.01)
+        # the wrist turns with the forearm and does not bend with the hand
+        part('wrist-back', wrist, at_wrist['dorsal'], at_wrist, 0.01, ride='LeftForeArmTwist2')
+        part('wrist-pulse', wrist, at_wrist['palmar'], at_wrist, 0.01, ride='LeftForeArmTwist2')
         outer = dict(among=self.skin, last=True)
         part('lower-arm', along(elbow, wrist, 0.5), amid['dorsal'], amid, 0.02, **outer)
         part('elbow', elbow, at_elbow['dorsal'], at_elbow, 0.02, **outer)

@@ -149,6 +149,20 @@ impl WristLimits {
             + over(angles.twist, -self.twist, self.twist)
     }
 
+    /// The limit most exceeded, in words: what would have to bend how far, degrees.
+    pub fn complaint(&self, angles: &ArmAngles) -> Option<String> {
+        let ways = [
+            (angles.flexion - self.flexion, "bend to the palm", angles.flexion, self.flexion),
+            (-angles.flexion - self.extension, "bend to the back of the hand", -angles.flexion, self.extension),
+            (angles.radial - self.radial, "bend to the thumb", angles.radial, self.radial),
+            (-angles.radial - self.ulnar, "bend to the little finger", -angles.radial, self.ulnar),
+            (angles.twist.abs() - self.twist, "turn with the forearm", angles.twist.abs(), self.twist),
+        ];
+        let (over, way, wanted, limit) = ways.into_iter().max_by(|a, b| a.0.total_cmp(&b.0))?;
+        let degrees = |angle: f64| angle.to_degrees().round();
+        (over > 1e-6).then(|| format!("the wrist would {way} {}°, it goes to {}°", degrees(wanted), degrees(limit)))
+    }
+
     /// The nearest angles inside: turn, flexion and radial deviation, radians.
     pub fn clamp(&self, angles: &ArmAngles) -> (f64, f64, f64) {
         (

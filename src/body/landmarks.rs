@@ -13,13 +13,13 @@
 //! Touch is 0, close 0.12 A, neutral 0.42 A along the place's normal; extended is where the hand is 0.95 of its
 //! reach from the shoulder.
 
+use super::landmark_table::{Point, Table};
 use crate::diagnostics::{Error, Source};
 use crate::motion::pose::{LocalPose, ModelPose};
 use crate::motion::skeleton::{JointId, Skeleton};
 use crate::phonology::grammar::read_table;
 use crate::phonology::{Digit, Distance, Flank, HandPart, HandPoint, Lateral, Side, Space};
 use glam::DVec3;
-use serde::Deserialize;
 use std::collections::{BTreeMap, HashMap};
 
 /// How far from the skin `close` is, arm lengths.
@@ -287,46 +287,4 @@ impl Landmarks {
 fn landmark_name(digit: Option<Digit>, part: HandPart, flank: Option<Flank>) -> String {
     let words = [flank.map(Flank::name), digit.map(Digit::name), Some(part.name())];
     words.into_iter().flatten().collect::<Vec<_>>().join(" ")
-}
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct Table {
-    body: BTreeMap<String, PlaceRow>,
-    hand: BTreeMap<String, Point>,
-}
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct PlaceRow {
-    #[serde(default)]
-    centre: Option<Point>,
-    at: Point,
-    beside: Point,
-}
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct Point {
-    joint: String,
-    offset: (f64, f64, f64),
-    normal: (f64, f64, f64),
-}
-
-impl Point {
-    /// The landmark on a rig; on the right it is the mirror image in the plane x = 0.
-    fn on(&self, skeleton: &Skeleton, side: Side) -> Result<Landmark, Error> {
-        let name = match (side, self.joint.strip_prefix("Left")) {
-            (Side::Right, Some(rest)) => format!("Right{rest}"),
-            _ => self.joint.clone(),
-        };
-        let mirror = DVec3::new(side.sign(), 1.0, 1.0);
-        let offset = DVec3::from(self.offset) * mirror;
-        let normal =
-            DVec3::from(self.normal).try_normalize().ok_or_else(|| Error::new("the normal has no direction"))?;
-        if !offset.is_finite() {
-            return Err(Error::new("the offset is not finite"));
-        }
-        Ok(Landmark { joint: skeleton.joint(&name)?, offset, normal: normal * mirror })
-    }
 }

@@ -3,6 +3,7 @@
 pub mod arm;
 pub mod hand;
 pub mod hand_skin;
+mod landmark_table;
 pub mod landmarks;
 pub mod signer;
 pub mod skin;

@@ -1,7 +1,7 @@
 //! GLB: the binary form of glTF 2.0, in which the avatar is kept and motion goes out to 3D programs.
 //!
 //! [`read::read`] takes the mesh and the skeleton of an avatar out of a file; what a glTF file may
-//! hold besides (textures, cameras, animations) is passed over. [`write`] gives the avatar a motion.
+//! hold besides (textures, cameras, animations) is passed over. [`write()`] gives the avatar a motion.
 //!
 //! # Conventions
 //! Those of glTF, which are also the crate's: metres, seconds, right-handed, Y up, quaternions as

@@ -63,7 +63,7 @@ impl Expressions {
                 return Err(fault(format!("{}: a morph's weight lies between 0 and 1", row.name)));
             }
             let numbers = [row.turn.0, row.turn.1, row.turn.2, row.raise.0, row.raise.1];
-            if numbers.iter().any(|d| !(d.abs() <= 90.0)) || !(0.0..=10.0).contains(&row.beats) {
+            if !numbers.iter().all(|d| d.abs() <= 90.0) || !(0.0..=10.0).contains(&row.beats) {
                 return Err(fault(format!("{}: degrees lie within ±90, beats between 0 and 10", row.name)));
             }
             let twice = checked.iter().any(|(c, other)| *c == channel && other.answers_to(&row.name));
@@ -79,6 +79,17 @@ impl Expressions {
     pub fn embedded() -> Expressions {
         let source = Source::new("grammar/nonmanuals.ron", include_str!("../../grammar/nonmanuals.ron"));
         Expressions::read(&source).expect("the embedded table is read by a test")
+    }
+
+    /// These values with those of another table put in place of the ones of the same tier and name, or added.
+    pub fn overridden_by(mut self, other: Expressions) -> Expressions {
+        for (channel, row) in other.rows {
+            match self.rows.iter_mut().find(|(c, r)| *c == channel && r.name.eq_ignore_ascii_case(&row.name)) {
+                Some(old) => *old = (channel, row),
+                None => self.rows.push((channel, row)),
+            }
+        }
+        self
     }
 
     /// A value of a tier, by its name or an alias, letter case aside.

@@ -17,11 +17,13 @@ pub mod grammar;
 pub mod hand;
 pub mod handshape;
 pub mod location;
+mod location_table;
 pub mod movement;
 pub mod movement_table;
 pub mod nonmanual;
 pub mod orientation;
 pub mod placement;
+pub mod roll;
 pub mod sign;
 
 pub use configuration::{Bend, Configuration, HandshapeChange, ThumbPosition};

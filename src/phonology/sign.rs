@@ -42,6 +42,30 @@ pub struct Sign {
     pub duration: Option<Seconds>,
 }
 
+impl Sign {
+    /// The most movement intervals a sign has: far above any sign, and enough for a long fingerspelled word.
+    pub const MOST_INTERVALS: usize = 64;
+
+    /// A sign of one hand of which nothing is said yet.
+    pub fn named(name: impl Into<String>) -> Sign {
+        Sign {
+            name: name.into(),
+            language: String::new(),
+            meaning: Vec::new(),
+            source: None,
+            status: None,
+            note: None,
+            hands: Hands::Strong,
+            intervals: 0,
+            strong: Manual::default(),
+            weak: Manual::default(),
+            contact: Keys::default(),
+            nonmanual: Vec::new(),
+            duration: None,
+        }
+    }
+}
+
 /// The manual tiers of one hand.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Manual {

@@ -44,9 +44,7 @@ impl Anchor {
         match self {
             Anchor::Fixed(point) => *point,
             Anchor::Carried { joint, offset } => model.point(*joint, *offset),
-            Anchor::Middle(parts) => {
-                parts.iter().map(|a| a.position(model)).sum::<DVec3>() / parts.len().max(1) as f64
-            }
+            Anchor::Middle(parts) => parts.iter().map(|a| a.position(model)).sum::<DVec3>() / parts.len().max(1) as f64,
             Anchor::Moved(anchor, by) => anchor.position(model) + *by,
         }
     }

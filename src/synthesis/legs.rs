@@ -66,25 +66,41 @@ pub struct Wiggle {
     pub cycles: f64,
 }
 
-/// Lays out the movement of one interval. `alternating` is for the hand that is half a cycle behind.
+/// Whether a hand takes turns with the other.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Turns {
+    /// It follows the other hand: movements marked as alternating put it half a cycle behind.
+    pub follower: bool,
+    /// All its movements are half a cycle behind.
+    pub behind: bool,
+}
+
+impl Turns {
+    /// Whether an action is half a cycle behind.
+    fn behind(self, action: &Action) -> bool {
+        self.behind || self.follower && action.alternating
+    }
+}
+
+/// Lays out the movement of one interval.
 ///
 /// The legs last together as long as the movement; there is at least one.
-pub fn lay_out(movement: &Movement, table: &MovementTable, alternating: bool) -> Vec<Leg> {
+pub fn lay_out(movement: &Movement, table: &MovementTable, turns: Turns) -> Vec<Leg> {
     let mut legs = match movement {
-        Movement::Sequence(parts) if !parts.is_empty() => sequence(parts, table, alternating),
-        Movement::Action(action) => of_action(action, table, alternating),
+        Movement::Sequence(parts) if !parts.is_empty() => sequence(parts, table, turns),
+        Movement::Action(action) => of_action(action, table, turns),
         // What goes on at the same time or is fused is one leg, repeated if its first member is.
         Movement::Together(parts) | Movement::Fused(parts) => {
-            let simple = simple_leg(movement, table, alternating);
+            let simple = simple_leg(movement, table, turns);
             match parts.iter().find_map(repeating) {
-                Some(action) => repeated(simple, action, table, alternating),
+                Some(action) => repeated(simple, action, table, turns),
                 None => vec![simple],
             }
         }
-        Movement::Sequence(_) => vec![simple_leg(movement, table, alternating)],
+        Movement::Sequence(_) => vec![simple_leg(movement, table, turns)],
     };
     if legs.is_empty() {
-        legs.push(simple_leg(movement, table, alternating));
+        legs.push(simple_leg(movement, table, turns));
     }
     legs
 }
@@ -101,11 +117,11 @@ pub fn change(duration: f64) -> Leg {
     }
 }
 
-fn sequence(parts: &[Movement], table: &MovementTable, alternating: bool) -> Vec<Leg> {
+fn sequence(parts: &[Movement], table: &MovementTable, turns: Turns) -> Vec<Leg> {
     let mut legs: Vec<Leg> = Vec::new();
     for part in parts {
         let shift = legs.len();
-        legs.extend(lay_out(part, table, alternating).into_iter().map(|mut leg| {
+        legs.extend(lay_out(part, table, turns).into_iter().map(|mut leg| {
             if let LegEnd::StartOf(i) = &mut leg.end {
                 *i += shift;
             }
@@ -130,13 +146,13 @@ fn repeating(movement: &Movement) -> Option<&Action> {
     }
 }
 
-fn of_action(action: &Action, table: &MovementTable, alternating: bool) -> Vec<Leg> {
-    let leg = leg_of(action, table, alternating);
+fn of_action(action: &Action, table: &MovementTable, turns: Turns) -> Vec<Leg> {
+    let leg = leg_of(action, table, turns);
     let mut legs = Vec::new();
     if action.manner.contains(&Manner::Rest) {
         legs.push(Leg { posture: (0.0, 0.0), ..change(table.timing.rest) });
     }
-    legs.extend(repeated(leg, action, table, alternating));
+    legs.extend(repeated(leg, action, table, turns));
     if action.manner.contains(&Manner::Halt) {
         legs.push(Leg { posture: (1.0, 1.0), ..change(table.timing.halt) });
     }
@@ -144,11 +160,11 @@ fn of_action(action: &Action, table: &MovementTable, alternating: bool) -> Vec<L
 }
 
 /// One leg, performed as often as the action says.
-fn repeated(leg: Leg, action: &Action, table: &MovementTable, alternating: bool) -> Vec<Leg> {
+fn repeated(leg: Leg, action: &Action, table: &MovementTable, turns: Turns) -> Vec<Leg> {
     let Some(repetition) = action.repetition else { return vec![leg] };
     let there = leg.path.clone();
     // The hand that alternates starts with the way back.
-    let reverse_first = alternating && repetition.kind == RepetitionKind::ToAndFro;
+    let reverse_first = turns.behind(action) && repetition.kind == RepetitionKind::ToAndFro;
     let mut legs = Vec::new();
     for i in 0..repetition.times.max(1) {
         let size = (1.0 + 0.3 * f64::from(repetition.growth.signum())).powi(i.into());
@@ -182,7 +198,7 @@ fn repeated(leg: Leg, action: &Action, table: &MovementTable, alternating: bool)
     legs
 }
 
-fn leg_of(action: &Action, table: &MovementTable, alternating: bool) -> Leg {
+fn leg_of(action: &Action, table: &MovementTable, turns: Turns) -> Leg {
     let duration = duration_of(action, table);
     let (mut wrist, mut wiggle) = (Vec::new(), Vec::new());
     match &action.motion {
@@ -190,7 +206,7 @@ fn leg_of(action: &Action, table: &MovementTable, alternating: bool) -> Leg {
             motion: *motion,
             amplitude: table.wrist.amplitude(*motion, *size).to_radians(),
             cycles: (duration * table.wrist.frequency).round().max(1.0),
-            phase: if alternating { 0.5 } else { 0.0 },
+            phase: if turns.behind(action) { 0.5 } else { 0.0 },
         }),
         Motion::Wiggle(digits) => wiggle.push(Wiggle {
             digits: if digits.is_empty() { Digits::FINGERS } else { *digits },
@@ -201,7 +217,7 @@ fn leg_of(action: &Action, table: &MovementTable, alternating: bool) -> Leg {
     }
     Leg {
         duration,
-        path: path_of(&action.motion, table, alternating || action.alternating && alternating),
+        path: path_of(&action.motion, table, turns.behind(action)),
         end: action.target.clone().map_or(LegEnd::Displaced, LegEnd::At),
         posture: (0.0, 1.0),
         wrist,
@@ -210,9 +226,9 @@ fn leg_of(action: &Action, table: &MovementTable, alternating: bool) -> Leg {
 }
 
 /// What goes on at the same time, one after the other or fused, squeezed into one leg.
-fn simple_leg(movement: &Movement, table: &MovementTable, alternating: bool) -> Leg {
+fn simple_leg(movement: &Movement, table: &MovementTable, turns: Turns) -> Leg {
     let join = |parts: &[Movement], path: fn(Vec<(f64, Path)>) -> Path, duration: fn(&[f64]) -> f64| {
-        let legs: Vec<Leg> = parts.iter().map(|p| simple_leg(p, table, alternating)).collect();
+        let legs: Vec<Leg> = parts.iter().map(|p| simple_leg(p, table, turns)).collect();
         let durations: Vec<f64> = legs.iter().map(|l| l.duration).collect();
         let whole = if legs.is_empty() { table.timing.change } else { duration(&durations) };
         let mut joined = change(whole);
@@ -229,10 +245,8 @@ fn simple_leg(movement: &Movement, table: &MovementTable, alternating: bool) -> 
         joined
     };
     let longest = |all: &[f64]| all.iter().copied().fold(0.0, f64::max);
-    let only = |parts: Vec<(f64, Path)>| parts.into_iter().map(|(_, path)| path).collect::<Vec<_>>();
-    let _ = only;
     match movement {
-        Movement::Action(action) => leg_of(action, table, alternating),
+        Movement::Action(action) => leg_of(action, table, turns),
         Movement::Sequence(parts) => join(parts, Path::Chain, |all| all.iter().sum()),
         Movement::Together(parts) => join(parts, |p| Path::Sum(p.into_iter().map(|(_, path)| path).collect()), longest),
         Movement::Fused(parts) => join(
@@ -278,7 +292,7 @@ fn duration_of(action: &Action, table: &MovementTable) -> f64 {
     (plain * manner).max(t.least)
 }
 
-fn path_of(motion: &Motion, table: &MovementTable, alternating: bool) -> Path {
+fn path_of(motion: &Motion, table: &MovementTable, behind: bool) -> Path {
     match motion {
         Motion::Hold | Motion::Change | Motion::Wrist(..) | Motion::Wiggle(_) => Path::Still,
         Motion::Straight { direction, extent, overlay } => {
@@ -298,7 +312,7 @@ fn path_of(motion: &Motion, table: &MovementTable, alternating: bool) -> Path {
                 None => (top, side),
                 Some((ratio, long)) => flattened(top, side, *ratio, *long),
             };
-            let half_a_turn = if alternating { 4 } else { 0 };
+            let half_a_turn = if behind { 4 } else { 0 };
             let start = Clock::new((start.eighths() + half_a_turn) % 8).unwrap_or_default();
             Path::Round {
                 top,

@@ -10,8 +10,8 @@
 pub mod anchor;
 pub mod face;
 pub mod legs;
-mod path_of_hand;
 pub mod path;
+mod path_of_hand;
 pub mod plan;
 pub mod reach;
 pub mod symmetry;
@@ -25,10 +25,10 @@ use crate::diagnostics::Error;
 use crate::motion::clip::Clip;
 use crate::motion::easing::Easing;
 use crate::phonology::expression::Expressions;
-use crate::phonology::handshape::HandshapeInventory;
+use crate::phonology::handshape::{HandAngles, HandshapeInventory};
 use crate::phonology::location::LocationInventory;
 use crate::phonology::movement_table::MovementTable;
-use crate::phonology::{Hand, Side, Sign};
+use crate::phonology::{Configuration, Hand, HandPoint, Side, Sign};
 use crate::time::{Fps, Seconds};
 use crate::track::Track;
 
@@ -54,6 +54,17 @@ impl Grammar {
             movements: MovementTable::embedded(),
             expressions: Expressions::embedded(),
         }
+    }
+
+    /// The joint angles of a configuration of a sign.
+    fn angles(&self, configuration: &Configuration, sign: &Sign) -> Result<HandAngles, Error> {
+        self.handshapes.angles(configuration, language(sign)).map_err(|e| Error::new(e.to_string()))
+    }
+
+    /// The point with which a configuration of a sign touches where nothing else is said.
+    fn touches_with(&self, configuration: &Configuration, sign: &Sign) -> Result<HandPoint, Error> {
+        let shape = self.handshapes.find(&configuration.base, language(sign));
+        shape.map(|s| s.touches_with).map_err(|e| Error::new(e.to_string()))
     }
 }
 
@@ -102,6 +113,11 @@ pub struct Report {
     pub tilt: f64,
     /// Sentences for the author.
     pub warnings: Vec<String>,
+}
+
+/// The language whose letters and aliases are looked up first.
+fn language(sign: &Sign) -> Option<&str> {
+    (!sign.language.is_empty()).then_some(sign.language.as_str())
 }
 
 /// The side of a hand of a right-handed signer.

@@ -2,7 +2,7 @@
 
 use super::legs::{Leg, posture_at};
 use super::plan::{HandPlan, PlacedLeg};
-use crate::motion::easing::Easing;
+use crate::motion::easing::{Easing, slerp};
 use crate::motion::pose::ModelPose;
 use crate::phonology::WristMotion;
 use glam::{DQuat, DVec3};
@@ -51,15 +51,18 @@ impl Instant {
     }
 
     /// The hand's rotation, without the wrist's play.
-    pub fn rotation(&self, plan: &HandPlan, easing: Easing, model: &ModelPose) -> DQuat {
+    pub fn rotation(&self, plan: &HandPlan, model: &ModelPose) -> DQuat {
         let (a, b) = (&plan.keys[self.key], &plan.keys[(self.key + 1).min(plan.keys.len() - 1)]);
         let turned = match self.done {
             d if d <= 0.0 => a.rotation,
             d if d >= 1.0 => b.rotation,
             // Eased already: the posture's share follows the easing.
-            d => crate::motion::easing::slerp(a.rotation, b.rotation, d),
+            d => match b.via {
+                None => slerp(a.rotation, b.rotation, d),
+                Some(via) if d < 0.5 => slerp(a.rotation, via, 2.0 * d),
+                Some(via) => slerp(via, b.rotation, 2.0 * d - 1.0),
+            },
         };
-        let _ = easing;
         if !a.along_path {
             return turned;
         }

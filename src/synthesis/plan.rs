@@ -2,22 +2,27 @@
 
 use super::anchor::Anchor;
 use super::legs::{Leg, LegEnd, change, lay_out};
-use super::reach::natural_rotation;
+use super::reach::{natural_rotation, strain};
 use super::symmetry::{Resolved, acts, points, resolve};
 use super::{Grammar, side_of};
 use crate::body::landmarks::ContactPoint;
 use crate::body::signer::Signer;
 use crate::diagnostics::Error;
+use crate::motion::easing::slerp;
 use crate::motion::pose::ModelPose;
+use crate::motion::rotation::{angle_between, to_vector};
 use crate::phonology::handshape::HandAngles;
 use crate::phonology::{
-    Configuration, ContactKind, Distance, Hand, HandPart, HandPoint, Hands, Lateral, Orientation, Place, Placement, Side,
-    Sign, Symmetry,
+    Configuration, ContactKind, Distance, Hand, HandPart, HandPoint, Hands, Lateral, Orientation, Place, Placement,
+    Side, Sign, Symmetry,
 };
 use glam::{DQuat, DVec3};
 
 /// Points that are `close` to each other on two hands, arm lengths apart.
 const HANDS_CLOSE_ARMS: f64 = 0.06;
+
+/// From this angle on, both ways about are looked at: 140°.
+const WIDE_TURN: f64 = 140.0 * std::f64::consts::PI / 180.0;
 
 /// A hand's posture at one key.
 #[derive(Debug, Clone)]
@@ -26,6 +31,9 @@ pub struct KeyPosture {
     pub angles: HandAngles,
     /// The hand's rotation, model space.
     pub rotation: DQuat,
+    /// Where the hand turns through on its way from the key before, where the turn is so wide that the short way
+    /// about is not the bodily one.
+    pub via: Option<DQuat>,
     /// Turning with the path.
     pub along_path: bool,
     /// The point of the hand that is placed.
@@ -123,7 +131,7 @@ impl Planner<'_> {
         let side = side_of(hand);
         let unsaid = Configuration::named("rest");
         let configuration = said.configuration.at(key).unwrap_or(&unsaid);
-        let angles = self.grammar.handshapes.angles(configuration, Some(&sign.language))?;
+        let angles = self.grammar.angles(configuration, sign)?;
         let stated = said.placement.stated(key);
         let contact = sign.contact.stated(key).copied();
         let mut anchor = match stated {
@@ -133,7 +141,9 @@ impl Planner<'_> {
         let touching = stated.is_some_and(|p| self.touches(p));
         let mut with = match stated.and_then(|p| p.with) {
             Some(point) => Some(self.signer.landmarks.hand_point(side, point)?),
-            None if stated.is_some() || before.is_none() => Some(self.own_point(configuration, sign, side, touching)?),
+            None if stated.is_some() || before.is_none() => {
+                Some(self.own_point(configuration, sign, side, touching)?)
+            }
             None => None,
         };
         if let Some(contact) = contact {
@@ -165,7 +175,8 @@ impl Planner<'_> {
             Some(b) if said.orientation.stated(key).is_none() => b.rotation,
             _ => self.rotation(side, &orientation, place, before.map(|b| b.rotation)),
         };
-        Ok(KeyPosture { angles, rotation, along_path: orientation.along_path, with, anchor })
+        let via = before.and_then(|b| self.via(side, b.rotation, rotation, place));
+        Ok(KeyPosture { angles, rotation, via, along_path: orientation.along_path, with, anchor })
     }
 
     /// The hand's rotation at a key. What is not stated stays as it was, or is what strains the wrist least.
@@ -189,10 +200,26 @@ impl Planner<'_> {
         natural_rotation(arm, shoulder, point, DQuat::IDENTITY, fingers, palm)
     }
 
+    /// The middle of a wide turn: of the two ways about the same axis the one that strains the wrist less.
+    fn via(&self, side: Side, from: DQuat, to: DQuat, place: Option<DVec3>) -> Option<DQuat> {
+        if angle_between(from, to) < WIDE_TURN {
+            return None;
+        }
+        let arm = self.signer.arm(side);
+        let shoulder = self.neutral.position(arm.upper);
+        let point = place.unwrap_or(shoulder + DVec3::new(0.0, -0.1, 0.35));
+        let short = slerp(from, to, 0.5);
+        // The same turn the other way round has its middle half a turn away.
+        let axis = to_vector(to * from.inverse()).try_normalize()?;
+        let long = DQuat::from_axis_angle(axis, std::f64::consts::PI) * short;
+        let strained = |q: DQuat| strain(arm, shoulder, point, DQuat::IDENTITY, q);
+        (strained(long) < strained(short)).then_some(long)
+    }
+
     /// The point that a hand places when none is named: what its shape touches with, or its palm in space.
     fn own_point(&self, shape: &Configuration, sign: &Sign, side: Side, touching: bool) -> Result<ContactPoint, Error> {
         let palm = HandPoint::new(Default::default(), HandPart::Palm, None);
-        let point = if touching { Some(self.grammar.handshapes.touches_with(shape, Some(&sign.language))?) } else { palm };
+        let point = if touching { Some(self.grammar.touches_with(shape, sign)?) } else { palm };
         let point = point.ok_or_else(|| Error::new("a palm has no digits"))?;
         self.signer.landmarks.hand_point(side, point)
     }
@@ -247,7 +274,8 @@ impl Planner<'_> {
         };
         let anchor = match &placement.place {
             Place::Body(name) => {
-                let row = self.grammar.locations.get(name).ok_or_else(|| Error::new(format!("no place is called {name}")))?;
+                let row =
+                    self.grammar.locations.get(name).ok_or_else(|| Error::new(format!("no place is called {name}")))?;
                 let lateral = placement.lateral.or_else(|| self.unsaid_side(sign, side, row.paired, &row.id, meeting));
                 let landmark = landmarks.body_place(&row.id, lateral)?;
                 let from = (landmark.position(self.neutral), landmark.normal(self.neutral));
@@ -305,7 +333,7 @@ impl Planner<'_> {
         let mut at = start.clone();
         for interval in 0..sign.intervals {
             let legs = match said.movement.get(interval) {
-                Some(movement) => lay_out(movement, table, said.alternating),
+                Some(movement) => lay_out(movement, table, said.turns),
                 None => vec![change(table.timing.change)],
             };
             let first = placed.len();

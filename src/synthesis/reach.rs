@@ -7,7 +7,7 @@
 //! take from the orientation is reported.
 
 use crate::body::arm::{ArmRig, WristLimits};
-use crate::motion::arm::{ArmHint, ArmPose, orient};
+use crate::motion::arm::{ArmAngles, ArmHint, ArmPose, orient};
 use crate::motion::fabrik::{Options as FabrikOptions, Pole};
 use crate::motion::reach::reach;
 use crate::motion::two_bone;
@@ -47,6 +47,8 @@ pub struct ArmFrame {
     pub residual_m: f64,
     /// How far the hand is turned away from the rotation asked for, radians.
     pub tilt: f64,
+    /// What the rotation asked for would take, before the limits; radians.
+    pub wanted: ArmAngles,
 }
 
 /// What the arm may do.
@@ -71,7 +73,12 @@ const SWIVEL_STEP: f64 = 10.0;
 /// Solves an arm over consecutive frames.
 ///
 /// Returns one frame a target. Nothing here fails: what cannot be reached leaves a residual.
-pub fn follow(arm: &ArmRig, clavicle_to_shoulder: DVec3, targets: &[HandTarget], options: &ReachOptions) -> Vec<ArmFrame> {
+pub fn follow(
+    arm: &ArmRig,
+    clavicle_to_shoulder: DVec3,
+    targets: &[HandTarget],
+    options: &ReachOptions,
+) -> Vec<ArmFrame> {
     let chain = Chain { arm, clavicle_to_shoulder, options };
     let swivels = chain.swivels(targets);
     let mut hint = None;
@@ -107,17 +114,19 @@ pub fn natural_rotation(
             return (trunk * solved.upper * solved.fore).normalize();
         }
     };
-    let strain = |rotation: &DQuat| {
-        let wrist = point - *rotation * (arm.rest_fingers() * 0.09);
-        let elbow = elbow_at(arm, shoulder, wrist, natural_swivel());
-        let solved = orient(&arm.rest, trunk, [shoulder, elbow, wrist], *rotation, None);
-        let a = solved.angles;
-        WristLimits::ANATOMICAL.scaled(0.6).excess(&a) + 0.05 * (a.twist.powi(2) + a.flexion.powi(2) + a.radial.powi(2))
-    };
+    let strain = |rotation: &DQuat| strain(arm, shoulder, point, trunk, *rotation);
     candidates
         .into_iter()
         .min_by(|a, b| strain(a).total_cmp(&strain(b)))
         .unwrap_or_else(|| DQuat::from_rotation_arc(arm.rest_fingers(), DVec3::Z))
+}
+
+/// How much a hand's rotation strains the wrist where the elbow hangs naturally; 0 is the middle of every range.
+pub fn strain(arm: &ArmRig, shoulder: DVec3, point: DVec3, trunk: DQuat, rotation: DQuat) -> f64 {
+    let wrist = point - rotation * (arm.rest_fingers() * 0.09);
+    let elbow = elbow_at(arm, shoulder, wrist, natural_swivel());
+    let a = orient(&arm.rest, trunk, [shoulder, elbow, wrist], rotation, None).angles;
+    WristLimits::ANATOMICAL.scaled(0.6).excess(&a) + 0.05 * (a.twist.powi(2) + a.flexion.powi(2) + a.radial.powi(2))
 }
 
 /// Sixteen directions around an axis.
@@ -214,6 +223,7 @@ impl Chain<'_> {
     fn solve(&self, target: &HandTarget, swivel: f64, hint: Option<ArmHint>) -> ArmFrame {
         let mut rotation = target.rotation;
         let mut frame = self.place(target, rotation, swivel, hint);
+        let wanted = frame.arm.angles;
         if let Some(limits) = self.options.limits {
             // The hand is turned back within the wrist's limits about the contact point; a few rounds settle it.
             for _ in 0..6 {
@@ -235,6 +245,7 @@ impl Chain<'_> {
             wrist: frame.wrist,
             residual_m: reached.distance(target.point),
             tilt: crate::motion::rotation::angle_between(rotation, target.rotation),
+            wanted,
         }
     }
 
@@ -246,13 +257,13 @@ impl Chain<'_> {
         let guess = elbow_at(self.arm, shoulder, goal, swivel);
         let toward = (goal - guess).normalize_or(DVec3::Z);
         let start = [shoulder, guess, guess + toward * self.arm.fore_m];
-        let options = FabrikOptions {
-            tolerance_m: 1e-5,
-            pole: Pole::WhenStraight(guess - shoulder),
-            ..FabrikOptions::default()
-        };
+        let options =
+            FabrikOptions { tolerance_m: 1e-5, pole: Pole::WhenStraight(guess - shoulder), ..FabrikOptions::default() };
         let solution = reach(start, goal, &options);
         let [shoulder, elbow, wrist] = solution.joints;
+        // The forearm turns less than half a turn to either side, so its turn is read from the middle, not from the
+        // frame before: a hint that has run on past half a turn would never come back within the limits.
+        let hint = hint.map(|h| ArmHint { twist: 0.0, ..h });
         let arm = orient(&self.arm.rest, parent, [shoulder, elbow, wrist], rotation, hint);
         Placed { clavicle, parent, arm, shoulder, elbow, wrist }
     }
@@ -313,7 +324,8 @@ fn trunk_depth(point: DVec3, shoulder: DVec3) -> f64 {
     if point.y > shoulder.y + 0.05 {
         return 0.0;
     }
-    let (half_width, half_depth) = (shoulder.x.abs() + 0.03, 0.155);
+    // The waist and the thickness of an upper arm, against the shoulders.
+    let (half_width, half_depth) = (shoulder.x.abs() - 0.005, 0.145);
     let z = point.z - (shoulder.z - 0.01);
     let r = ((point.x / half_width).powi(2) + (z / half_depth).powi(2)).sqrt();
     ((1.0 - r) * half_depth).max(0.0)

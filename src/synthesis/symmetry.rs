@@ -1,5 +1,6 @@
 //! What the weak hand does when it follows the strong one.
 
+use super::legs::Turns;
 use crate::phonology::{
     Configuration, Contact, Direction, Hand, Hands, Heading, Keys, Lateral, Manual, Movement, NonManual, Orientation,
     Place, Placement, Relation, Sign, Space, Symmetry,
@@ -19,8 +20,8 @@ pub struct Resolved {
     pub movement: Vec<Movement>,
     /// The signs that the movement's paths are multiplied by (−1 for an exchanged axis).
     pub signs: DVec3,
-    /// Whether this hand is half a cycle behind.
-    pub alternating: bool,
+    /// Whether this hand takes turns with the other.
+    pub turns: Turns,
 }
 
 /// Whether a hand acts in a sign.
@@ -58,7 +59,7 @@ fn plain(own: &Manual) -> Resolved {
         orientation: own.orientation.clone(),
         movement: own.movement.clone(),
         signs: DVec3::ONE,
-        alternating: false,
+        turns: Turns::default(),
     }
 }
 
@@ -89,7 +90,7 @@ fn following(strong: &Manual, own: &Manual, symmetry: Symmetry) -> Resolved {
             let mirrored = symmetry.relation == Relation::Mirrored;
             DVec3::new(sign(mirrored), sign(symmetry.up_down), sign(symmetry.out_in))
         },
-        alternating: symmetry.alternating,
+        turns: Turns { follower: true, behind: symmetry.alternating },
     }
 }
 

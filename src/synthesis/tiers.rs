@@ -1,9 +1,9 @@
 //! The tiers of a synthesized sign: what each stretch of the motion is, and where it came from.
 
 use super::plan::HandPlan;
+use super::side_of;
 use super::symmetry::{acts, non_manuals, resolve};
 use super::timeline::Timeline;
-use super::{side_of};
 use crate::phonology::{
     Action, Configuration, Contact, ContactKind, Distance, Hand, HandshapeChange, Keys, Motion, Movement, NonManual,
     NonManualValue, Orientation, Place, Placement, Side, Sign,
@@ -38,11 +38,23 @@ pub(super) fn of_sign(sign: &Sign, timeline: &Timeline, plans: &[HandPlan]) -> V
         tiers.push(gloss);
         tiers.push(phases(&format!("{prefix} Phase"), timeline, sign.intervals));
         let configuration = source(!own.configuration.is_empty());
-        tiers.push(keyed(&format!("{prefix} Configuration"), &said.configuration, timeline, configuration_label, configuration));
+        tiers.push(keyed(
+            &format!("{prefix} Configuration"),
+            &said.configuration,
+            timeline,
+            configuration_label,
+            configuration,
+        ));
         let placement = source(!own.placement.is_empty());
         tiers.push(keyed(&format!("{prefix} Placement"), &said.placement, timeline, placement_label, placement));
         let orientation = source(!own.orientation.is_empty());
-        tiers.push(keyed(&format!("{prefix} Orientation"), &said.orientation, timeline, orientation_label, orientation));
+        tiers.push(keyed(
+            &format!("{prefix} Orientation"),
+            &said.orientation,
+            timeline,
+            orientation_label,
+            orientation,
+        ));
         let mut movement = Tier::new(format!("{prefix} Movement"));
         for (i, m) in said.movement.iter().enumerate() {
             let span = (timeline.keys.get(i), timeline.keys.get(i + 1));

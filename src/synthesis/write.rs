@@ -36,7 +36,7 @@ pub(super) fn perform(
     signer: &Signer,
     options: &Options,
 ) -> Result<Performance, Error> {
-    let relaxed = grammar.handshapes.angles(&Configuration::named("rest"), Some(&sign.language))?;
+    let relaxed = grammar.angles(&Configuration::named("rest"), sign)?;
     let neutral = signer.neutral(&relaxed);
     let model = neutral.to_model(&signer.skeleton);
     let planner = Planner { grammar, signer, neutral: &model };
@@ -183,7 +183,7 @@ impl Writer<'_> {
             .enumerate()
             .map(|(n, now)| {
                 let model = models.get(n).and_then(|m| m.as_ref()).or(still.as_ref()).unwrap_or(self.planner.neutral);
-                let rotation = now.rotation(plan, easing, model);
+                let rotation = now.rotation(plan, model);
                 let offset = self.offset(plan, now, arm.hand, &poses[first + n]);
                 let point = now.point(plan, model);
                 let played = (rotation * now.play(plan)).normalize();
@@ -208,9 +208,40 @@ impl Writer<'_> {
             poses[first + n].set(arm.clavicle, frame.clavicle);
             arm.write(&frame.arm, &mut poses[first + n]);
         }
-        measure(&solved, report);
+        self.measure(plan, &solved, first, report);
         self.write_ways(plan, timeline, first, last, poses);
         self.wrists(plan, &solved, first, poses)
+    }
+
+    /// Notes what the stroke came to, and warns of what a body cannot do.
+    fn measure(&self, plan: &HandPlan, solved: &[ArmFrame], first: usize, report: &mut Report) {
+        let fps = self.options.fps;
+        let hand = match plan.side {
+            Side::Left => "left",
+            Side::Right => "right",
+        };
+        let by = |value: fn(&ArmFrame) -> f64| {
+            solved.iter().enumerate().max_by(|a, b| value(a.1).total_cmp(&value(b.1))).map(|(n, f)| (first + n, f))
+        };
+        if let Some((i, frame)) = by(|f| f.residual_m) {
+            report.residual_m = report.residual_m.max(frame.residual_m);
+            if frame.residual_m > RESIDUAL_WARNED {
+                let (time, mm) = (fps.time_of(FrameIndex(i)), frame.residual_m * 1e3);
+                report
+                    .warnings
+                    .push(format!("{hand} hand at {time}: out of reach, it stays {mm:.0} mm away from its place"));
+            }
+        }
+        if let Some((i, frame)) = by(|f| f.tilt) {
+            report.tilt = report.tilt.max(frame.tilt);
+            let complaint = limits(self.options).and_then(|l| l.complaint(&frame.wanted));
+            if let Some(complaint) = complaint.filter(|_| frame.tilt > TILT_WARNED) {
+                let (time, degrees) = (fps.time_of(FrameIndex(i)), frame.tilt.to_degrees());
+                report
+                    .warnings
+                    .push(format!("{hand} hand at {time}: {complaint}; it is turned {degrees:.0}° less than stated"));
+            }
+        }
     }
 
     /// The contact point in the hand's axes, from the wrist, for the fingers as they are now.
@@ -408,14 +439,6 @@ impl Writer<'_> {
         if stroke_speed > WRIST_SPEED {
             report.warnings.push(format!("the wrist moves at {stroke_speed:.1} m/s; signers stay under 3"));
         }
-        if report.residual_m > RESIDUAL_WARNED {
-            let mm = report.residual_m * 1e3;
-            report.warnings.push(format!("a hand stays {mm:.0} mm away from its place: it is out of reach"));
-        }
-        if report.tilt > TILT_WARNED {
-            let degrees = report.tilt.to_degrees();
-            report.warnings.push(format!("the wrist does not bend that far: a hand is turned {degrees:.0}° from what is stated"));
-        }
         let whole = report.sign_end.0 - report.stroke_start.0;
         let greatest = self.grammar.movements.timing.greatest_sign;
         if whole * self.options.speed > greatest {
@@ -424,11 +447,3 @@ impl Writer<'_> {
         Ok(())
     }
 }
-
-fn measure(solved: &[ArmFrame], report: &mut Report) {
-    for frame in solved {
-        report.residual_m = report.residual_m.max(frame.residual_m);
-        report.tilt = report.tilt.max(frame.tilt);
-    }
-}
-

@@ -1,6 +1,6 @@
 // Pictures of the landmarks: the avatar at rest with every landmark as a labelled dot with its normal.
-// usage: node places.mjs OUT_DIR [page...]   (npm install three@0.185.1 beside playwright-core first; reads
-// ../../assets/avatar.glb and ../../grammar/landmarks.ron). Pages: front side face faceside palm back thumb pinky arm.
+// usage: node places.mjs OUT_DIR [page...]   (first: npm install, npm install --no-save three@0.185.1)
+// It reads assets/avatar.glb and grammar/landmarks.ron; the pages are named below. In the pictures "<" is left at, "<<" left beside.
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { createServer } from 'node:http';
 import { createRequire } from 'node:module';
@@ -9,7 +9,7 @@ import { fileURLToPath } from 'node:url';
 import { withBrowser } from './browser.mjs';
 
 const here = path.dirname(fileURLToPath(import.meta.url)), root = path.resolve(here, '../..');
-const require = createRequire(path.join(process.cwd(), 'x'));
+const require = createRequire(import.meta.url);
 const three = path.resolve(path.dirname(require.resolve('three')), '..');
 const [out, ...wanted] = process.argv.slice(2);
 if (!out) {

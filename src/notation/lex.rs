@@ -1,0 +1,183 @@
+//! Lines and words: the text cut into tokens, with comments apart.
+//!
+//! A line is words, texts in double quotes, and the marks `, ( ) =`. A `#` outside a text begins a comment.
+
+use crate::diagnostics::{Diagnostic, Span};
+use nom::branch::alt;
+use nom::bytes::complete::{take_till1, take_while1};
+use nom::character::complete::{char, one_of};
+use nom::combinator::{map, recognize};
+use nom::{IResult, Parser};
+
+/// What a token is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Kind {
+    /// A run of anything that is not a space, a mark or a quote: words, numbers, names.
+    Word,
+    /// A text in double quotes, the quotes included.
+    Text,
+    /// `,`
+    Comma,
+    /// `(`
+    Open,
+    /// `)`
+    Close,
+    /// `=`
+    Equals,
+}
+
+/// A token of a line.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct Token<'a> {
+    pub kind: Kind,
+    pub text: &'a str,
+    pub span: Span,
+}
+
+/// A line cut into tokens.
+#[derive(Debug)]
+pub(crate) struct LexedLine<'a> {
+    pub tokens: Vec<Token<'a>>,
+    pub comment: Option<&'a str>,
+}
+
+/// The lines of a text with their byte offsets, without line ends (LF, CRLF, lone CR).
+pub(crate) fn lines(text: &str) -> impl Iterator<Item = (usize, &str)> {
+    let body = text.strip_prefix('\u{feff}').unwrap_or(text);
+    let mut offset = text.len() - body.len();
+    body.split_inclusive('\n').flat_map(move |raw| {
+        let start = offset;
+        offset += raw.len();
+        let line = raw.strip_suffix('\n').unwrap_or(raw);
+        let line = line.strip_suffix('\r').unwrap_or(line);
+        let mut at = start;
+        line.split('\r').map(move |part| {
+            let here = at;
+            at += part.len() + 1;
+            (here, part)
+        })
+    })
+}
+
+/// Cuts a line into tokens.
+///
+/// # Errors
+/// A text without its closing quote, or a control character.
+pub(crate) fn lex(line: &str, offset: usize) -> Result<LexedLine<'_>, Box<Diagnostic>> {
+    let mut rest = line;
+    let mut tokens = Vec::with_capacity(8);
+    loop {
+        rest = rest.trim_start_matches(is_space);
+        let at = offset + (line.len() - rest.len());
+        if rest.is_empty() {
+            return Ok(LexedLine { tokens, comment: None });
+        }
+        if let Some(comment) = rest.strip_prefix('#') {
+            return Ok(LexedLine { tokens, comment: Some(comment.trim()) });
+        }
+        let Ok((after, (kind, text))) = token(rest) else { return Err(unreadable(rest, at)) };
+        if kind == Kind::Word
+            && let Some(bad) = text.find(char::is_control)
+        {
+            return Err(unreadable(&text[bad..], at + bad));
+        }
+        tokens.push(Token { kind, text, span: Span::new(at, at + text.len()) });
+        rest = after;
+    }
+}
+
+fn is_space(c: char) -> bool {
+    c.is_whitespace()
+}
+
+fn token(rest: &str) -> IResult<&str, (Kind, &str)> {
+    alt((
+        map(recognize(char(',')), |t| (Kind::Comma, t)),
+        map(recognize(char('(')), |t| (Kind::Open, t)),
+        map(recognize(char(')')), |t| (Kind::Close, t)),
+        map(recognize(char('=')), |t| (Kind::Equals, t)),
+        map(quoted, |t| (Kind::Text, t)),
+        map(take_till1(|c: char| is_space(c) || ",()=\"#".contains(c)), |t| (Kind::Word, t)),
+    ))
+    .parse(rest)
+}
+
+/// A text with its quotes; `\` takes the next character as it is.
+fn quoted(rest: &str) -> IResult<&str, &str> {
+    let inside = nom::multi::fold_many0(
+        alt((recognize(take_while1(|c: char| c != '"' && c != '\\')), recognize((char('\\'), one_of("\"\\ntru0"))))),
+        || (),
+        |(), _| (),
+    );
+    recognize((char('"'), inside, char('"'))).parse(rest)
+}
+
+fn unreadable(rest: &str, at: usize) -> Box<Diagnostic> {
+    Box::new(if rest.starts_with('"') {
+        Diagnostic::fault(Span::new(at, at + rest.len()), "this text has no closing quote")
+            .label("begins here")
+            .hint("texts stand between two straight quotes on one line; write a quote inside one as \\\"")
+    } else {
+        let c = rest.chars().next().unwrap_or('\0');
+        Diagnostic::fault(
+            Span::new(at, at + c.len_utf8()),
+            format!("the control character U+{:04X} cannot stand in a text", u32::from(c)),
+        )
+        .label("here")
+        .hint("the file may have been damaged, or may not be text at all")
+    })
+}
+
+/// The text between the quotes of a [`Kind::Text`] token, with the escapes `\" \\ \n \t \r \u{…}` read.
+pub(crate) fn unquote(text: &str) -> String {
+    let inside = text.strip_prefix('"').and_then(|t| t.strip_suffix('"')).unwrap_or(text);
+    let mut out = String::with_capacity(inside.len());
+    let mut chars = inside.chars();
+    while let Some(c) = chars.next() {
+        if c != '\\' {
+            out.push(c);
+            continue;
+        }
+        match chars.next() {
+            Some('n') => out.push('\n'),
+            Some('t') => out.push('\t'),
+            Some('r') => out.push('\r'),
+            Some('0') => out.push('\0'),
+            Some('u') => match unicode(chars.as_str()) {
+                Some((c, used)) => {
+                    out.push(c);
+                    chars = chars.as_str()[used..].chars();
+                }
+                None => out.push('u'),
+            },
+            Some(other) => out.push(other),
+            None => {}
+        }
+    }
+    out
+}
+
+/// `{1F600}` at the front: the character and the bytes used.
+fn unicode(rest: &str) -> Option<(char, usize)> {
+    let close = rest.bytes().take(9).position(|b| b == b'}')?;
+    let digits = rest.get(..close)?.strip_prefix('{')?;
+    Some((char::from_u32(u32::from_str_radix(digits, 16).ok()?)?, close + 1))
+}
+
+/// A text in quotes, as [`unquote`] reads it.
+pub(crate) fn quote(text: &str) -> String {
+    let mut out = String::with_capacity(text.len() + 2);
+    out.push('"');
+    for c in text.chars() {
+        match c {
+            '"' => out.push_str("\\\""),
+            '\\' => out.push_str("\\\\"),
+            '\n' => out.push_str("\\n"),
+            '\t' => out.push_str("\\t"),
+            c if c.is_control() || c == '\u{feff}' => out.push_str(&format!("\\u{{{:X}}}", u32::from(c))),
+            c => out.push(c),
+        }
+    }
+    out.push('"');
+    out
+}

@@ -1,0 +1,181 @@
+//! The lexicon: named signs of many files.
+//!
+//! Sources are layered (the program's own signs, then `--lexicon` folders): an entry of a later source replaces
+//! that of an earlier one with the same name and language. Within one source a name stands once.
+
+use super::read::{Reading, read};
+use super::vocabulary::Vocabulary;
+use crate::diagnostics::{Diagnostic, Error, Source, Span};
+use crate::phonology::Sign;
+use std::collections::BTreeMap;
+use unicode_normalization::UnicodeNormalization;
+
+/// A sign and where it was found.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Entry {
+    /// The sign.
+    pub sign: Sign,
+    /// The file.
+    pub path: String,
+    /// The line in it, from 1.
+    pub line: usize,
+    /// Whether its file holds an alphabet (`alphabet.sign`).
+    pub is_letter: bool,
+    /// The number of its source, from 0.
+    pub layer: usize,
+    span: Span,
+}
+
+/// A text of a source with its faults.
+#[derive(Debug, Clone)]
+pub struct Checked {
+    /// The text.
+    pub source: Source,
+    /// Its faults and warnings.
+    pub diagnostics: Vec<Diagnostic>,
+    /// How many of its signs can be used.
+    pub signs: usize,
+}
+
+/// Named signs.
+#[derive(Debug, Clone, Default)]
+pub struct Lexicon {
+    /// By language and folded name; a name of an alphabet is kept apart from a sign of the same name.
+    entries: BTreeMap<(String, String), Entry>,
+    layers: usize,
+}
+
+/// The form in which names are compared: NFC, lower case.
+pub fn fold_name(name: &str) -> String {
+    name.nfc().flat_map(char::to_lowercase).nfc().collect()
+}
+
+/// The language of a file by its folder: `lexicon/lsf/bol.sign` is `lsf`.
+///
+/// ```
+/// use chereme::notation::lexicon::language_of_path;
+/// assert_eq!(language_of_path("lexicon/lsf/bol.sign"), "lsf");
+/// assert_eq!(language_of_path("bol.sign"), "");
+/// ```
+pub fn language_of_path(path: &str) -> &str {
+    let mut parts = path.rsplit(['/', '\\']);
+    parts.next();
+    match parts.next() {
+        None | Some("" | "." | "..") => "",
+        Some("lexicon") => "",
+        Some(folder) => folder,
+    }
+}
+
+fn is_alphabet(path: &str) -> bool {
+    path.rsplit(['/', '\\']).next().is_some_and(|file| file.eq_ignore_ascii_case("alphabet.sign"))
+}
+
+impl Lexicon {
+    /// Adds the files of one source, above the sources added before. Signs without faults are taken.
+    ///
+    /// ```
+    /// use chereme::diagnostics::Source;
+    /// use chereme::notation::{Lexicon, Vocabulary};
+    /// let mut lexicon = Lexicon::default();
+    /// lexicon.add([Source::new("lexicon/lsf/bol.sign", "sign BOL\n  hands both\n")], &Vocabulary::open());
+    /// assert_eq!(lexicon.find("bol", Some("lsf")).unwrap().sign.name, "BOL");
+    /// ```
+    pub fn add(&mut self, sources: impl IntoIterator<Item = Source>, vocabulary: &Vocabulary) -> Vec<Checked> {
+        let layer = self.layers;
+        self.layers += 1;
+        let mut all = Vec::new();
+        let mut found: BTreeMap<(String, String), Entry> = BTreeMap::new();
+        for source in sources {
+            let reading = read(&source.text, vocabulary, language_of_path(&source.name));
+            all.push(take(source, reading, layer, &mut found));
+        }
+        self.entries.append(&mut found);
+        all
+    }
+
+    /// The sign of a name, in one language or in all.
+    ///
+    /// # Errors
+    /// No sign of that name (with the nearest), or several languages that have one (listing them).
+    pub fn find(&self, name: &str, language: Option<&str>) -> Result<&Entry, Error> {
+        let folded = fold_name(name);
+        let wanted = |entry: &&Entry| language.is_none_or(|l| entry.sign.language.eq_ignore_ascii_case(l));
+        let hits: Vec<&Entry> =
+            self.entries.iter().filter(|((_, n), _)| *n == folded).map(|(_, e)| e).filter(wanted).collect();
+        match hits.as_slice() {
+            [one] => Ok(one),
+            [] => {
+                let of = language.map(|l| format!(" in `{l}`")).unwrap_or_default();
+                let names = self.entries.values().filter(wanted).map(|e| e.sign.name.as_str());
+                let near = super::suggest::nearest(name, names);
+                let near = near.map(|n| format!("; did you mean `{n}`?")).unwrap_or_default();
+                Err(Error::new(format!("there is no sign `{name}`{of}{near}")))
+            }
+            several => {
+                let all: Vec<String> =
+                    several.iter().map(|e| format!("{} ({}:{})", e.sign.language, e.path, e.line)).collect();
+                Err(Error::new(format!("`{name}` is a sign of several languages, say which: {}", all.join(", "))))
+            }
+        }
+    }
+
+    /// A letter of a language's alphabet.
+    pub fn letter(&self, letter: &str, language: &str) -> Option<&Entry> {
+        let entry = self.entries.get(&(language.to_lowercase(), fold_name(letter)))?;
+        entry.is_letter.then_some(entry)
+    }
+
+    /// The letters of a language's alphabet, by name.
+    pub fn letters<'l>(&'l self, language: &'l str) -> impl Iterator<Item = &'l Entry> {
+        self.entries().filter(move |e| e.is_letter && e.sign.language.eq_ignore_ascii_case(language))
+    }
+
+    /// All entries, by language and name.
+    pub fn entries(&self) -> impl Iterator<Item = &Entry> {
+        self.entries.values()
+    }
+
+    /// How many signs there are.
+    pub fn len(&self) -> usize {
+        self.entries.len()
+    }
+
+    /// Whether there is none.
+    pub fn is_empty(&self) -> bool {
+        self.entries.is_empty()
+    }
+}
+
+/// Takes the signs of a file, with a fault for a name met before in the same source.
+fn take(source: Source, reading: Reading, layer: usize, found: &mut BTreeMap<(String, String), Entry>) -> Checked {
+    let mut diagnostics = reading.diagnostics;
+    let mut signs = 0;
+    // Line numbers by one walk through the text, not one for each sign.
+    let (mut walked, mut line) = (0, 1);
+    for lowered in reading.signs {
+        let upto = lowered.name_span.start.min(source.text.len());
+        line += source.text.as_bytes()[walked..upto].iter().filter(|b| **b == b'\n').count();
+        walked = upto;
+        let key = (lowered.sign.language.to_lowercase(), fold_name(&lowered.sign.name));
+        if let Some(first) = found.get(&key) {
+            let fault = Diagnostic::fault(lowered.name_span, format!("`{}` is described twice", lowered.sign.name));
+            let fault = fault.label("the second").hint(format!("the first is {}:{}", first.path, first.line));
+            let here = first.path == source.name;
+            diagnostics.push(if here { fault.related(first.span, "the first") } else { fault });
+            continue;
+        }
+        signs += 1;
+        let is_letter = is_alphabet(&source.name);
+        let path = source.name.clone();
+        found.insert(key, Entry { sign: lowered.sign, path, line, is_letter, layer, span: lowered.name_span });
+    }
+    diagnostics.sort_by_key(|d| d.span.start);
+    Checked { source, diagnostics, signs }
+}
+
+/// The texts of the lexicon that comes with the program.
+pub fn embedded() -> impl Iterator<Item = Source> {
+    const FILES: &[(&str, &str)] = include!(concat!(env!("OUT_DIR"), "/lexicon.rs"));
+    FILES.iter().map(|(path, text)| Source::new(*path, *text))
+}

@@ -1,0 +1,361 @@
+//! Single values: names looked up, lengths in metres, palms checked against fingers.
+
+use crate::diagnostics::{Diagnostic, Span, Spanned};
+use crate::notation::parse::configuration;
+use crate::notation::suggest::nearest;
+use crate::notation::syntax::{self, ContactKind, NonManualWhat, Values};
+use crate::notation::vocabulary::{Found, Vocabulary};
+use crate::phonology::{
+    self, Action, Channel, Configuration, Contact, Direction, Distance, Extent, Heading, Lateral, Motion, Movement,
+    NonManual, NonManualValue, Place, Placement, RepetitionKind,
+};
+use crate::time::Seconds;
+use glam::DVec3;
+
+/// The most movements that groups may come to when they are written out.
+const MOST_PARTS: usize = 1000;
+
+/// Looks names up.
+pub(super) struct Names<'v> {
+    pub vocabulary: &'v Vocabulary,
+    pub language: &'v str,
+}
+
+impl Names<'_> {
+    pub(super) fn configuration(
+        &self,
+        written: &syntax::Configuration,
+        faults: &mut Vec<Diagnostic>,
+    ) -> Option<Configuration> {
+        let before = faults.len();
+        for name in std::iter::once(&written.base).chain(&written.between) {
+            self.handshape(name, faults);
+        }
+        (faults.len() == before).then(|| Configuration {
+            base: written.base.value.clone(),
+            between: written.between.as_ref().map(|b| b.value.clone()),
+            changes: written.changes.clone(),
+        })
+    }
+
+    fn handshape(&self, name: &Spanned<String>, faults: &mut Vec<Diagnostic>) {
+        let known = |n: &str| self.vocabulary.handshape(n, self.language) != Found::Unknown;
+        if self.vocabulary.handshapes.is_empty() {
+            return;
+        }
+        match self.vocabulary.handshape(&name.value, self.language) {
+            Found::One(_) => return,
+            Found::Several(ids) => {
+                faults.push(
+                    Diagnostic::fault(name.span, format!("`{}` is several handshapes", name.value))
+                        .label("which one?")
+                        .hint(format!("say which: {}; or give the language of the sign", ids.join(", "))),
+                );
+                return;
+            }
+            Found::Unknown => {}
+        }
+        let fault = Diagnostic::fault(name.span, format!("`{}` is not a known handshape", name.value))
+            .label("unknown handshape");
+        if let Some((first, rest)) = split_known(&name.value, known) {
+            faults.push(fault.hint(format!("is a comma missing? `{first}, {rest}`")));
+            return;
+        }
+        faults.push(match self.vocabulary.handshapes.nearest(&name.value) {
+            Some(near) => fault.hint(format!("did you mean `{near}`?")),
+            None if name.value.starts_with("ham") => {
+                fault.hint("this looks like HamNoSys; here handshapes have names such as `flat`, `fist-s`, `1`")
+            }
+            None => {
+                fault.hint("`chereme list --handshapes` shows the names; new ones are rows in grammar/handshapes.ron")
+            }
+        });
+    }
+
+    fn place(&self, written: &syntax::Place, faults: &mut Vec<Diagnostic>) -> Option<Place> {
+        Some(match written {
+            syntax::Place::Named(name) => {
+                self.place_name(name, faults)?;
+                Place::Body(name.value.clone())
+            }
+            syntax::Place::OtherHand(point) => Place::OtherHand(*point),
+            syntax::Place::Space(cell) => Place::Space(*cell),
+            syntax::Place::Point(at) => Place::Point(DVec3::from_array(*at)),
+            syntax::Place::Between(a, b) => {
+                let (a, b) = (self.place(a, faults), self.place(b, faults));
+                Place::Between(Box::new(a?), Box::new(b?))
+            }
+            syntax::Place::Referent(name) => Place::Referent(name.clone()),
+        })
+    }
+
+    fn place_name(&self, name: &Spanned<String>, faults: &mut Vec<Diagnostic>) -> Option<()> {
+        let places = &self.vocabulary.places;
+        if places.is_empty() || places.id(&name.value).is_some() {
+            return Some(());
+        }
+        let fault =
+            Diagnostic::fault(name.span, format!("`{}` is not a known place", name.value)).label("unknown place");
+        let hand = phonology::HandPart::OF_THE_LIMB.into_iter().chain(phonology::HandPart::OF_A_DIGIT);
+        let hand = hand.map(phonology::HandPart::name).chain(phonology::Digit::ALL.map(phonology::Digit::name));
+        let first = name.value.split(' ').next().unwrap_or_default();
+        let fault = if let Some((first, rest)) = split_known(&name.value, |n| places.id(n).is_some()) {
+            fault.hint(format!("is a comma missing? `{first}, {rest}`"))
+        } else if hand.into_iter().any(|h| h == first) {
+            fault.hint(format!("a point of the other hand is `other {}`", name.value))
+        } else if let Some(near) = places.nearest(&name.value) {
+            fault.hint(format!("did you mean `{near}`?"))
+        } else if first.starts_with("ham") {
+            fault.hint("this looks like HamNoSys; here places have names such as `chest`, `forehead`, `neutral`")
+        } else {
+            let some: Vec<&str> = places.ids().take(12).collect();
+            fault.hint(format!("places are {}, …; in space: `space left high`", some.join(", ")))
+        };
+        faults.push(fault);
+        None
+    }
+
+    pub(super) fn placement(&self, written: &syntax::Placement, faults: &mut Vec<Diagnostic>) -> Option<Placement> {
+        Some(Placement {
+            place: self.place(&written.place, faults)?,
+            lateral: written.side.map(|(side, beside)| Lateral { side, beside }),
+            distance: match written.distance {
+                None => Distance::Unmarked,
+                Some(syntax::Distance::Touch) => Distance::Touch,
+                Some(syntax::Distance::Close) => Distance::Close,
+                Some(syntax::Distance::Neutral) => Distance::Neutral,
+                Some(syntax::Distance::Extended) => Distance::Extended,
+                Some(syntax::Distance::Length(length)) => Distance::Metres(length.metres()),
+            },
+            behind: written.behind,
+            with: written.with,
+            offset: written.offset.map(|(way, far)| (way, far.metres())),
+        })
+    }
+
+    pub(super) fn nonmanual(
+        &self,
+        channel: Channel,
+        written: &syntax::NonManual,
+        faults: &mut Vec<Diagnostic>,
+    ) -> Option<NonManual> {
+        let value = match &written.what {
+            NonManualWhat::Named(name) => {
+                self.nonmanual_name(channel, name, faults)?;
+                NonManualValue::Named(name.value.clone())
+            }
+            NonManualWhat::Towards(heading) => NonManualValue::Towards(*heading),
+            NonManualWhat::At(place) => NonManualValue::At(self.placement(place, faults)?),
+            NonManualWhat::Mouthing(sounds) => NonManualValue::Mouthing(sounds.clone()),
+        };
+        Some(NonManual { value, amount: written.amount })
+    }
+
+    fn nonmanual_name(&self, channel: Channel, name: &Spanned<String>, faults: &mut Vec<Diagnostic>) -> Option<()> {
+        let Some(names) = self.vocabulary.nonmanuals.get(&channel) else { return Some(()) };
+        if names.is_empty() || names.id(&name.value).is_some() {
+            return Some(());
+        }
+        let word = channel.name();
+        let fault = Diagnostic::fault(name.span, format!("`{}` is not a known value of {word}", name.value))
+            .label("unknown value");
+        let elsewhere = self.vocabulary.nonmanuals.iter().find(|(_, n)| n.id(&name.value).is_some());
+        faults.push(if let Some(near) = names.nearest(&name.value) {
+            fault.hint(format!("did you mean `{near}`?"))
+        } else if let Some((other, _)) = elsewhere {
+            fault.hint(format!("that is a value of `{}`", other.name()))
+        } else if name.value.parse::<Direction>().is_ok() {
+            fault.hint(format!("a direction is `towards {}`", name.value))
+        } else {
+            let all: Vec<&str> = names.ids().collect();
+            fault.hint(format!("values of {word} are {}", all.join(", ")))
+        });
+        None
+    }
+
+    /// One movement for each interval.
+    pub(super) fn movements(
+        &self,
+        written: &[syntax::Movement],
+        span: Span,
+        faults: &mut Vec<Diagnostic>,
+    ) -> Vec<Movement> {
+        let mut parts = 0;
+        let mut out = Vec::with_capacity(written.len());
+        for movement in written {
+            match self.movement(movement, span, &mut parts, faults) {
+                Some(movement) => out.push(movement),
+                None => return Vec::new(),
+            }
+        }
+        out
+    }
+
+    fn movement(
+        &self,
+        written: &syntax::Movement,
+        span: Span,
+        parts: &mut usize,
+        faults: &mut Vec<Diagnostic>,
+    ) -> Option<Movement> {
+        *parts += 1;
+        if *parts > MOST_PARTS {
+            faults.push(
+                Diagnostic::fault(span, format!("this movement comes to more than {MOST_PARTS} parts"))
+                    .label("here")
+                    .hint("a sign this long is several signs"),
+            );
+            return None;
+        }
+        let mut all = |movements: &[syntax::Movement]| {
+            movements.iter().map(|m| self.movement(m, span, parts, faults)).collect::<Option<Vec<_>>>()
+        };
+        match written {
+            syntax::Movement::Group { fused: true, parts } => all(parts).map(Movement::Fused),
+            syntax::Movement::Group { fused: false, parts } => all(parts).map(Movement::Sequence),
+            syntax::Movement::Together(parts) => all(parts).map(Movement::Together),
+            syntax::Movement::Repeated(group, repetition) => {
+                if repetition.kind != RepetitionKind::Continue || repetition.growth != 0 {
+                    faults.push(
+                        Diagnostic::fault(span, "a group cannot yet be repeated from its start")
+                            .label("of this tier")
+                            .hint("write `continued` after the bracket for one performance after the other, or repeat each movement in it"),
+                    );
+                    return None;
+                }
+                let one: &[syntax::Movement] = match &**group {
+                    syntax::Movement::Group { fused: false, parts } => parts,
+                    other => std::slice::from_ref(other),
+                };
+                let mut sequence = Vec::new();
+                for _ in 0..repetition.times {
+                    sequence.extend(all(one)?);
+                }
+                Some(Movement::Sequence(sequence))
+            }
+            syntax::Movement::Action(action) => {
+                self.action(action, faults).map(|action| Movement::Action(Box::new(action)))
+            }
+        }
+    }
+
+    fn action(&self, written: &syntax::Action, faults: &mut Vec<Diagnostic>) -> Option<Action> {
+        let before = faults.len();
+        let mut to = |place: &Option<syntax::Placement>| place.as_ref().and_then(|p| self.placement(p, faults));
+        let (target, brushing) = (to(&written.target), to(&written.brushing));
+        (faults.len() == before).then(|| Action {
+            motion: motion(&written.motion),
+            target,
+            brushing,
+            manner: written.manner.clone(),
+            repetition: written.repetition,
+            duration: written.duration.map(|d| Seconds(d.seconds())),
+            alternating: written.alternating,
+        })
+    }
+}
+
+/// A known name in front of something more: a comma was forgotten.
+fn split_known(name: &str, known: impl Fn(&str) -> bool) -> Option<(&str, &str)> {
+    name.match_indices(' ').map(|(i, _)| (&name[..i], &name[i + 1..])).rev().find(|(first, _)| known(first)).filter(
+        |(_, rest)| {
+            let word = rest.split(' ').next().unwrap_or_default();
+            let after_comma = ["touch", "close", "neutral", "extended", "with", "offset", "spread", "together"];
+            let digits = phonology::Digit::ALL.map(phonology::Digit::name);
+            let bends = phonology::Bend::ALL.map(phonology::Bend::name);
+            nearest(word, after_comma.into_iter().chain(digits).chain(bends)).is_some()
+                || word.starts_with(|c: char| c.is_ascii_digit())
+        },
+    )
+}
+
+fn extent(written: syntax::Extent) -> Extent {
+    match written {
+        syntax::Extent::Size(size) => Extent::Size(size),
+        syntax::Extent::Length(length) => Extent::Metres(length.metres()),
+    }
+}
+
+fn motion(written: &syntax::Motion) -> Motion {
+    match *written {
+        syntax::Motion::Hold => Motion::Hold,
+        syntax::Motion::Change => Motion::Change,
+        syntax::Motion::Straight { direction, extent: e, overlay } => {
+            Motion::Straight { direction, extent: extent(e), overlay }
+        }
+        syntax::Motion::Arc { direction, extent: e, bulge, depth, overlay } => Motion::Arc {
+            direction,
+            extent: extent(e),
+            bulge: bulge.unwrap_or_else(|| default_bulge(direction)),
+            depth,
+            overlay,
+        },
+        syntax::Motion::Circle { axis, extent: e, start, turns, ellipse, growth } => {
+            Motion::Circle { axis, extent: extent(e), start, turns, ellipse, growth }
+        }
+        syntax::Motion::Wrist(wrist, size) => Motion::Wrist(wrist, size),
+        syntax::Motion::Wiggle(digits) => Motion::Wiggle(digits),
+    }
+}
+
+/// The side to which an arc bulges where it is not said: up for a level one; for one that rises or falls, its
+/// own level part (a scoop: `arc up-right` bulges right); out for one straight up or down.
+///
+/// ```
+/// use chereme::notation::lower::default_bulge;
+/// use chereme::phonology::Direction;
+/// let toward = |text: &str| text.parse::<Direction>().unwrap().into();
+/// assert_eq!(default_bulge(toward("left")), Direction::UP);
+/// assert_eq!(default_bulge(toward("up-right")), Direction::RIGHT);
+/// assert_eq!(default_bulge(toward("down")), Direction::OUT);
+/// ```
+pub fn default_bulge(direction: Heading) -> Direction {
+    let v = direction.vector();
+    let level = DVec3::new(v.x, 0.0, v.z);
+    if v.y.abs() < 0.2 {
+        Direction::UP
+    } else if level.length() < 0.2 {
+        Direction::OUT
+    } else {
+        Direction::nearest(level).unwrap_or(Direction::OUT)
+    }
+}
+
+/// How the hands meet.
+pub(super) fn contact(written: syntax::Contact) -> Contact {
+    let kind = match written.kind {
+        ContactKind::Touches => phonology::ContactKind::Touch,
+        ContactKind::CloseTo => phonology::ContactKind::Close,
+        ContactKind::Crosses => phonology::ContactKind::Crossed,
+        ContactKind::Interlocks => phonology::ContactKind::Interlocked,
+        ContactKind::LengthFrom(length) => phonology::ContactKind::Metres(length.metres()),
+    };
+    Contact { strong: written.strong, weak: written.weak, kind }
+}
+
+/// Faults for palms along the fingers; what is not stated holds from the value before.
+pub(super) fn check_palms(values: &Values<syntax::Orientation>, faults: &mut Vec<Diagnostic>) {
+    let (mut fingers, mut palm): (Option<Spanned<Heading>>, Option<Spanned<Heading>>) = (None, None);
+    for value in values {
+        let v = &value.value;
+        fingers = v.fingers.or(fingers);
+        palm = v.palm.or(palm);
+        let (Some(f), Some(p)) = (fingers, palm) else { continue };
+        let new = v.fingers.is_some() || v.palm.is_some();
+        if !new || f.value.vector().cross(p.value.vector()).length() > 0.1 {
+            continue;
+        }
+        let across: Vec<String> =
+            Direction::all().filter(|d| d.vector().dot(f.value.vector()).abs() < 1e-6).map(|d| d.to_string()).collect();
+        let at = v.palm.map_or(f.span, |p| p.span);
+        let fault =
+            Diagnostic::fault(at, format!("the palm cannot face {} while the fingers point {}", p.value, f.value))
+                .label("along the fingers")
+                .hint(format!("possible palms: {}", across.join(", ")));
+        let other = if at == p.span { f.span } else { p.span };
+        faults.push(fault.related(other, if at == p.span { "the fingers" } else { "the palm" }));
+    }
+}
+
+/// The words that end a handshape's name, for the printer.
+pub(crate) const NAME_STOPS: [&str; 3] = configuration::STOPS;

@@ -1,0 +1,32 @@
+//! The `.sign` language: text ↔ [`phonology::Sign`](crate::phonology::Sign).
+//!
+//! A description is written one tier a line, readable aloud; `grammar/notation.ebnf` is the specification.
+//! Two stages: [`parse()`] makes a [`syntax::File`] (what was written, with spans and comments), [`lower()`] makes
+//! signs of it (what it means); [`raise()`] and [`print()`] go the other way. `parse ∘ print` is the identity.
+//!
+//! All faults of a text come back at once; a sign with a fault is left out, the rest loads.
+//!
+//! # Conventions
+//! Lengths are written in mm, cm or m, durations in s or ms; keys are counted from 1 in text and from 0 inside.
+//! Names of signs are NFC; names are compared without regard to case. This module touches no files.
+
+pub mod explain;
+mod lex;
+pub mod lexicon;
+pub mod lower;
+pub mod parse;
+pub mod print;
+pub mod raise;
+pub mod read;
+pub mod suggest;
+pub mod syntax;
+pub mod vocabulary;
+
+pub use explain::explain;
+pub use lexicon::{Entry, Lexicon};
+pub use lower::{Lowered, lower};
+pub use parse::parse;
+pub use print::print;
+pub use raise::{raise, write};
+pub use read::{Reading, read, source_of_bytes};
+pub use vocabulary::{Names, Vocabulary};

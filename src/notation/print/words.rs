@@ -1,0 +1,307 @@
+//! Single values as text.
+
+use crate::notation::lex::quote;
+use crate::notation::lower::NAME_STOPS;
+use crate::notation::parse::motion::{CLOCK, size_name};
+use crate::notation::parse::{nonmanual, placement};
+use crate::notation::syntax::{
+    Action, Configuration, Contact, ContactKind, Distance, Duration, Extent, Key, Length, Motion, Movement, NonManual,
+    NonManualWhat, Orientation, Place, Placement, Values,
+};
+use crate::phonology::{
+    Amount, Digits, Hands, HandshapeChange, Overlay, Relation, Repetition, RepetitionKind, Side, Size,
+};
+use std::fmt;
+
+/// A name without quotes where it reads back as itself: no mark in it, no word that ends or begins something else.
+pub(super) fn bare(name: &str, stops: &[&str], heads: &[&str]) -> String {
+    let is = |word: &str, of: &[&str]| of.iter().any(|w| w.eq_ignore_ascii_case(word));
+    let word = |w: &str| {
+        !w.is_empty()
+            && !w.contains(|c: char| c.is_whitespace() || c.is_control() || ",()=\"#\u{feff}".contains(c))
+            && !w.starts_with(['“', '”', '„', '«', '‘', '’', '\''])
+            && !is(w, stops)
+    };
+    let first = name.split(' ').next().unwrap_or_default();
+    if name.split(' ').all(word) && !is(first, heads) { name.to_owned() } else { quote(name) }
+}
+
+/// Values joined by `then`, with their keys.
+pub(super) fn values<T>(all: &Values<T>, value: impl Fn(&T) -> String) -> String {
+    let all: Vec<String> = all
+        .iter()
+        .map(|v| {
+            let text = value(&v.value);
+            match v.at.map(|at| at.value) {
+                None => text,
+                Some(Key::Start) => format!("{text} at start"),
+                Some(Key::Middle) => format!("{text} at middle"),
+                Some(Key::End) => format!("{text} at end"),
+                Some(Key::Number(n)) => format!("{text} at key {n}"),
+            }
+        })
+        .collect();
+    all.join(" then ")
+}
+
+pub(super) fn configuration(v: &Configuration) -> String {
+    let name = |n: &str| bare(n, &NAME_STOPS, &["between"]);
+    let mut text = match &v.between {
+        None => name(&v.base.value),
+        Some(second) => format!("between {} and {}", name(&v.base.value), name(&second.value)),
+    };
+    for change in &v.changes {
+        text.push_str(", ");
+        text.push_str(&match *change {
+            HandshapeChange::Thumb(position) => format!("thumb {}", position.name()),
+            HandshapeChange::Bend(fingers, bend) if fingers.is_empty() => bend.name().to_owned(),
+            HandshapeChange::Bend(fingers, bend) => format!("{} {}", digits(fingers), bend.name()),
+            HandshapeChange::Spread(true) => "spread".to_owned(),
+            HandshapeChange::Spread(false) => "together".to_owned(),
+            HandshapeChange::Cross(over, under) => format!("{} over {}", over.name(), under.name()),
+            HandshapeChange::ThumbBetween(a, b) => format!("thumb between {} {}", a.name(), b.name()),
+        });
+    }
+    text
+}
+
+fn digits(fingers: Digits) -> String {
+    if fingers == Digits::FINGERS {
+        return "fingers".to_owned();
+    }
+    let names: Vec<&str> = fingers.iter().map(|d| d.name()).collect();
+    names.join(" ")
+}
+
+fn side(side: Side) -> &'static str {
+    match side {
+        Side::Left => "left",
+        Side::Right => "right",
+    }
+}
+
+fn place(v: &Place) -> String {
+    match v {
+        Place::Named(name) => bare(&name.value, &placement::STOPS, &placement::HEADS),
+        Place::OtherHand(point) => format!("other {point}"),
+        Place::Space(cell) => {
+            let word = |value: i8, minus, plus| match value {
+                -1 => Some(minus),
+                1 => Some(plus),
+                _ => None,
+            };
+            let axes =
+                [word(cell.left, "right", "left"), word(cell.high, "low", "high"), word(cell.far, "near", "far")];
+            let words: Vec<&str> = std::iter::once("space").chain(axes.into_iter().flatten()).collect();
+            if words.len() == 1 { "space centre".to_owned() } else { words.join(" ") }
+        }
+        Place::Point([x, y, z]) => format!("point {x} {y} {z}"),
+        Place::Between(a, b) => {
+            let part = |p: &Place| match p {
+                Place::Between(..) => format!("({})", place(p)),
+                other => place(other),
+            };
+            format!("between {} and {}", part(a), part(b))
+        }
+        Place::Referent(name) => format!("referent {}", quote(name)),
+    }
+}
+
+pub(super) fn placement(v: &Placement) -> String {
+    let mut text = if v.behind { "behind ".to_owned() } else { String::new() };
+    let name = place(&v.place);
+    text.push_str(&match v.side {
+        None => name,
+        Some((s, true)) => format!("beside {} {name}", side(s)),
+        Some((s, false)) if matches!(v.place, Place::Named(_)) => format!("{name} {}", side(s)),
+        Some((s, false)) => format!("{} {name}", side(s)),
+    });
+    match v.distance {
+        None => {}
+        Some(Distance::Touch) => text.push_str(", touch"),
+        Some(Distance::Close) => text.push_str(", close"),
+        Some(Distance::Neutral) => text.push_str(", neutral distance"),
+        Some(Distance::Extended) => text.push_str(", extended"),
+        Some(Distance::Length(far)) => text.push_str(&format!(", {far} away")),
+    }
+    if let Some(point) = v.with {
+        text.push_str(&format!(", with {point}"));
+    }
+    if let Some((way, far)) = v.offset {
+        text.push_str(&format!(", offset {way} {far}"));
+    }
+    text
+}
+
+pub(super) fn orientation(v: &Orientation) -> String {
+    let fingers = v.fingers.map(|h| format!("fingers {}", h.value));
+    let palm = v.palm.map(|h| format!("palm {}", h.value));
+    let path = v.along_path.then(|| "along path".to_owned());
+    let parts: Vec<String> = [fingers, palm, path].into_iter().flatten().collect();
+    parts.join(", ")
+}
+
+pub(super) fn contact(v: &Contact) -> String {
+    let kind = match v.kind {
+        ContactKind::Touches => "touches".to_owned(),
+        ContactKind::CloseTo => "close to".to_owned(),
+        ContactKind::Crosses => "crosses".to_owned(),
+        ContactKind::Interlocks => "interlocks".to_owned(),
+        ContactKind::LengthFrom(far) => format!("{far} from"),
+    };
+    format!("strong {} {kind} weak {}", v.strong, v.weak)
+}
+
+pub(super) fn hands(v: Hands) -> String {
+    let Hands::Both(symmetry) = v else {
+        return if v == Hands::Weak { "weak" } else { "one" }.to_owned();
+    };
+    let mut text = "both".to_owned();
+    if let Some(s) = symmetry {
+        text.push_str(if s.relation == Relation::Mirrored { " mirrored" } else { " parallel" });
+        let flags =
+            [(s.up_down, " up-down"), (s.out_in, " out-in"), (s.alternating, " alternating"), (s.crossed, " crossed")];
+        text.extend(flags.into_iter().filter(|(on, _)| *on).map(|(_, word)| word));
+    }
+    text
+}
+
+pub(super) fn nonmanual(v: &NonManual) -> String {
+    let (mut text, comma) = match &v.what {
+        NonManualWhat::Named(name) => (bare(&name.value, &nonmanual::STOPS, &nonmanual::HEADS), ""),
+        NonManualWhat::Towards(heading) => (format!("towards {heading}"), ""),
+        NonManualWhat::At(place) => (format!("at {}", placement(place)), ","),
+        NonManualWhat::Mouthing(sounds) => (format!("mouthing {}", quote(sounds)), ""),
+    };
+    match v.amount {
+        Amount::Slight => text.push_str(&format!("{comma} slight")),
+        Amount::Plain => {}
+        Amount::Strong => text.push_str(&format!("{comma} strong")),
+    }
+    text
+}
+
+/// Movements of the intervals, joined by `then`.
+pub(super) fn movements(all: &[Movement]) -> String {
+    let all: Vec<String> = all.iter().map(movement_text).collect();
+    all.join(" then ")
+}
+
+/// One movement as text.
+pub fn movement_text(v: &Movement) -> String {
+    match v {
+        Movement::Action(action) => action_text(action),
+        Movement::Group { fused, parts } => format!("{}( {} )", if *fused { "fused " } else { "" }, movements(parts)),
+        Movement::Together(parts) => {
+            let parts: Vec<String> = parts
+                .iter()
+                .map(|p| match p {
+                    Movement::Together(_) => format!("( {} )", movement_text(p)),
+                    other => movement_text(other),
+                })
+                .collect();
+            parts.join(" while ")
+        }
+        Movement::Repeated(group, repetition) => {
+            let inside = match &**group {
+                Movement::Group { fused: false, .. } => movement_text(group),
+                other => format!("( {} )", movement_text(other)),
+            };
+            format!("{inside} {}", repetition_text(*repetition))
+        }
+    }
+}
+
+fn action_text(v: &Action) -> String {
+    let mut text = match (&v.motion, &v.target) {
+        (Motion::Change, Some(place)) => format!("to {}", placement(place)),
+        (motion, Some(place)) => format!("{} to {}", motion_text(motion), placement(place)),
+        (motion, None) => motion_text(motion),
+    };
+    if let Some(place) = &v.brushing {
+        text.push_str(&format!(", brushing {}", placement(place)));
+    }
+    for manner in &v.manner {
+        text.push_str(&format!(", {}", manner.name()));
+    }
+    if let Some(r) = v.repetition {
+        text.push_str(&format!(", {}", repetition_text(r)));
+    }
+    if let Some(long) = v.duration {
+        text.push_str(&format!(", duration {}", duration(long)));
+    }
+    if v.alternating {
+        text.push_str(", alternating");
+    }
+    text
+}
+
+fn motion_text(v: &Motion) -> String {
+    match v {
+        Motion::Hold => "hold".to_owned(),
+        Motion::Change => "change".to_owned(),
+        Motion::Straight { direction, extent: e, overlay: o } => format!("{direction}{}{}", extent(*e), overlay(*o)),
+        Motion::Arc { direction, extent: e, bulge, depth, overlay: o } => {
+            let bulge = bulge.map(|b| format!(" bulging {b}")).unwrap_or_default();
+            let depth = if *depth == Size::Normal { String::new() } else { format!(" {} bend", size_name(*depth)) };
+            format!("arc {direction}{}{bulge}{depth}{}", extent(*e), overlay(*o))
+        }
+        Motion::Circle { axis, extent: e, start, turns, ellipse, growth: g } => {
+            let radius = match e {
+                Extent::Size(_) => extent(*e),
+                Extent::Length(length) => format!(" radius {length}"),
+            };
+            let from = match CLOCK.get(usize::from(start.eighths())) {
+                Some(hour) if start.eighths() > 0 => format!(" from {hour}"),
+                _ => String::new(),
+            };
+            let turns = if *turns == 1.0 { String::new() } else { format!(" turns {turns}") };
+            let flat = ellipse.map(|(part, long)| format!(" flattened {part} along {long}")).unwrap_or_default();
+            format!("circle axis {axis}{radius}{from}{turns}{flat}{}", growth(*g))
+        }
+        Motion::Wrist(wrist, size) => format!("{}{}", wrist.name(), extent(Extent::Size(*size))),
+        Motion::Wiggle(fingers) if fingers.is_empty() => "wiggle".to_owned(),
+        Motion::Wiggle(fingers) => format!("wiggle {}", digits(*fingers)),
+    }
+}
+
+fn extent(v: Extent) -> String {
+    match v {
+        Extent::Size(Size::Normal) => String::new(),
+        Extent::Size(size) => format!(" {}", size_name(size)),
+        Extent::Length(length) => format!(" {length}"),
+    }
+}
+
+fn overlay(v: Option<Overlay>) -> String {
+    let Some(o) = v else { return String::new() };
+    format!(" {}{}", if o.zigzag { "zigzag" } else { "wavy" }, extent(Extent::Size(o.size)))
+}
+
+fn repetition_text(v: Repetition) -> String {
+    let word = match v.kind {
+        RepetitionKind::FromStart => "repeated",
+        RepetitionKind::Continue => "continued",
+        RepetitionKind::ToAndFro => "to and fro",
+    };
+    format!("{word} {}{}", v.times, growth(v.growth))
+}
+
+fn growth(v: i8) -> String {
+    let word = match v {
+        0 => return String::new(),
+        1.. => "growing",
+        _ => "shrinking",
+    };
+    if v.unsigned_abs() == 1 { format!(" {word}") } else { format!(" {word} {}", v.unsigned_abs()) }
+}
+
+pub(super) fn duration(v: Duration) -> String {
+    format!("{}{}", v.number, if v.milliseconds { "ms" } else { "s" })
+}
+
+impl fmt::Display for Length {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}{}", self.number, self.unit.name())
+    }
+}

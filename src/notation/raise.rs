@@ -1,0 +1,275 @@
+//! What a sign means to what one would write: [`Sign`] → [`super::syntax`].
+
+use super::lower::default_bulge;
+use super::syntax::{
+    self, ContactKind, Content, Duration, File, Ignored, Key, Length, Line, NonManualWhat, Placed, TierLine, Value,
+    Values,
+};
+use crate::diagnostics::{Span, Spanned};
+use crate::phonology::{
+    Action, Configuration, Contact, Distance, Extent, Hand, Hands, Keys, Manual, Motion, Movement, NonManual,
+    NonManualValue, Orientation, Place, Placement, Sign,
+};
+
+/// A sign as text.
+///
+/// ```
+/// use chereme::notation::{Vocabulary, read, write};
+/// let text = "language lsf\n\nsign BOL\n  hands          both mirrored\n  movement       up-right 15cm\n";
+/// let sign = &read(text, &Vocabulary::open(), "").signs[0].sign;
+/// assert_eq!(write(sign), text);
+/// ```
+pub fn write(sign: &Sign) -> String {
+    super::print(&raise(sign))
+}
+
+/// What one would write to say this sign: the shortest form, each tier on its line.
+pub fn raise(sign: &Sign) -> File {
+    let mut lines = Vec::new();
+    if !sign.language.is_empty() {
+        lines.push(line(Content::Language(plain(sign.language.clone()))));
+    }
+    lines.push(line(Content::Sign(plain(sign.name.clone()))));
+    let n = sign.intervals;
+    let mut say = |hand: Option<Hand>, value: Value| {
+        lines.push(line(Content::Tier(TierLine { hand, keyword: Ignored::default(), value })));
+    };
+    if !sign.meaning.is_empty() {
+        say(None, Value::Meaning(sign.meaning.clone()));
+    }
+    if let Some(text) = &sign.source {
+        say(None, Value::Source(text.clone()));
+    }
+    if let Some(text) = &sign.status {
+        say(None, Value::Status(text.clone()));
+    }
+    if let Some(text) = &sign.note {
+        say(None, Value::Note(text.clone()));
+    }
+    if sign.hands != Hands::Strong {
+        say(None, Value::Hands(sign.hands));
+    }
+    let implied = movement_is_implied(sign);
+    let tier = |value: fn(&Manual, usize) -> Option<Value>| {
+        let (strong, weak) = (value(&sign.strong, n), value(&sign.weak, n));
+        share(sign.hands, strong, weak)
+    };
+    let all = [
+        tier(|m, n| keys(&m.configuration, n, configuration).map(Value::Configuration)),
+        tier(|m, n| keys(&m.placement, n, placement).map(Value::Placement)),
+        tier(|m, n| keys(&m.orientation, n, orientation).map(Value::Orientation)),
+    ];
+    for (hand, value) in all.into_iter().flatten() {
+        say(hand, value);
+    }
+    let moves =
+        |m: &Manual| (!m.movement.is_empty()).then(|| Value::Movement(m.movement.iter().map(movement).collect()));
+    let (strong, mut weak) = (moves(&sign.strong), moves(&sign.weak));
+    let acting = if sign.hands == Hands::Weak { weak.take() } else { strong };
+    // Stated nowhere, the keys of a sign are joined by plain changes.
+    let nowhere = acting.is_none() && weak.is_none() && n > 0;
+    let acting = acting.or(nowhere.then(|| Value::Movement(vec![movement(&change()); n])));
+    if let (Some(value), false) = (acting, implied) {
+        say(None, value);
+    }
+    if let Some(value) = weak {
+        say(Some(Hand::Weak), value);
+    }
+    if let Some(values) = keys(&sign.contact, n, |v| contact(*v)) {
+        say(None, Value::Contact(values));
+    }
+    for (channel, values) in &sign.nonmanual {
+        if let Some(values) = keys(values, n, nonmanual) {
+            say(None, Value::NonManual(*channel, values));
+        }
+    }
+    if let Some(long) = sign.duration {
+        say(None, Value::Duration(duration(long.0)));
+    }
+    File { lines }
+}
+
+fn line(content: Content) -> Line {
+    Line { content: Some(content), comment: None, span: Ignored::default() }
+}
+
+fn plain<T>(value: T) -> Spanned<T> {
+    Spanned::new(value, Span::default())
+}
+
+/// Which prefixes say a tier of both hands.
+fn share(hands: Hands, strong: Option<Value>, weak: Option<Value>) -> Vec<(Option<Hand>, Value)> {
+    match hands {
+        Hands::Strong => strong.map(|v| (None, v)).into_iter().collect(),
+        Hands::Weak => weak.map(|v| (None, v)).into_iter().collect(),
+        Hands::Both(None) if strong == weak => strong.map(|v| (None, v)).into_iter().collect(),
+        Hands::Both(None) => {
+            let strong = strong.map(|v| (Some(Hand::Strong), v));
+            strong.into_iter().chain(weak.map(|v| (Some(Hand::Weak), v))).collect()
+        }
+        Hands::Both(Some(_)) => {
+            let strong = strong.map(|v| (None, v));
+            strong.into_iter().chain(weak.map(|v| (Some(Hand::Weak), v))).collect()
+        }
+    }
+}
+
+fn change() -> Movement {
+    Movement::Action(Box::new(Action::new(Motion::Change)))
+}
+
+/// Whether the movement is only what joins the keys of another tier, so that it need not be said.
+fn movement_is_implied(sign: &Sign) -> bool {
+    let (acting, other) = match sign.hands {
+        Hands::Weak => (&sign.weak, &sign.strong),
+        Hands::Strong | Hands::Both(_) => (&sign.strong, &sign.weak),
+    };
+    let plain = other.movement.is_empty()
+        && acting.movement.len() == sign.intervals
+        && acting.movement.iter().all(|m| *m == change());
+    let full = |count: usize| count == sign.intervals + 1;
+    let manual = |m: &Manual| full(m.configuration.len()) || full(m.placement.len()) || full(m.orientation.len());
+    sign.intervals > 0
+        && plain
+        && (manual(acting)
+            || manual(other)
+            || full(sign.contact.len())
+            || sign.nonmanual.iter().any(|(_, keys)| full(keys.len())))
+}
+
+/// Values at keys: bare where one spreads or each key has one, else with their keys.
+fn keys<T, U>(keys: &Keys<T>, intervals: usize, value: impl Fn(&T) -> U) -> Option<Values<U>> {
+    if keys.is_empty() {
+        return None;
+    }
+    let spreads = keys.len() == 1 && keys.stated(0).is_some();
+    let named = !(spreads || keys.len() == intervals + 1);
+    let at = |key: usize| match key {
+        0 => Key::Start,
+        k if k == intervals => Key::End,
+        k if 2 * k == intervals => Key::Middle,
+        k => Key::Number(k + 1),
+    };
+    let placed = keys.iter().map(|(key, v)| Placed {
+        value: value(v),
+        at: named.then(|| plain(at(key))),
+        span: Ignored::default(),
+    });
+    Some(placed.collect())
+}
+
+fn configuration(v: &Configuration) -> syntax::Configuration {
+    syntax::Configuration {
+        base: plain(v.base.clone()),
+        between: v.between.clone().map(plain),
+        changes: v.changes.clone(),
+    }
+}
+
+fn place(v: &Place) -> syntax::Place {
+    match v {
+        Place::Body(name) => syntax::Place::Named(plain(name.clone())),
+        Place::OtherHand(point) => syntax::Place::OtherHand(*point),
+        Place::Space(cell) => syntax::Place::Space(*cell),
+        Place::Point(at) => syntax::Place::Point(at.to_array()),
+        Place::Between(a, b) => syntax::Place::Between(Box::new(place(a)), Box::new(place(b))),
+        Place::Referent(name) => syntax::Place::Referent(name.clone()),
+    }
+}
+
+/// A placement as one would write it.
+pub(crate) fn placement(v: &Placement) -> syntax::Placement {
+    syntax::Placement {
+        behind: v.behind,
+        place: place(&v.place),
+        side: v.lateral.map(|l| (l.side, l.beside)),
+        distance: match v.distance {
+            Distance::Unmarked => None,
+            Distance::Touch => Some(syntax::Distance::Touch),
+            Distance::Close => Some(syntax::Distance::Close),
+            Distance::Neutral => Some(syntax::Distance::Neutral),
+            Distance::Extended => Some(syntax::Distance::Extended),
+            Distance::Metres(far) => Some(syntax::Distance::Length(Length::from_metres(far))),
+        },
+        with: v.with,
+        offset: v.offset.map(|(way, far)| (way, Length::from_metres(far))),
+    }
+}
+
+fn orientation(v: &Orientation) -> syntax::Orientation {
+    syntax::Orientation { fingers: v.fingers.map(plain), palm: v.palm.map(plain), along_path: v.along_path }
+}
+
+fn duration(seconds: f64) -> Duration {
+    Duration { number: seconds, milliseconds: false }
+}
+
+fn extent(v: Extent) -> syntax::Extent {
+    match v {
+        Extent::Size(size) => syntax::Extent::Size(size),
+        Extent::Metres(far) => syntax::Extent::Length(Length::from_metres(far)),
+    }
+}
+
+/// A movement as one would write it.
+pub(crate) fn movement(v: &Movement) -> syntax::Movement {
+    let all = |parts: &[Movement]| parts.iter().map(movement).collect::<Vec<_>>();
+    match v {
+        Movement::Sequence(parts) => syntax::Movement::Group { fused: false, parts: all(parts) },
+        Movement::Fused(parts) => syntax::Movement::Group { fused: true, parts: all(parts) },
+        Movement::Together(parts) => syntax::Movement::Together(all(parts)),
+        Movement::Action(action) => syntax::Movement::Action(Box::new(syntax::Action {
+            motion: motion(&action.motion),
+            target: action.target.as_ref().map(placement),
+            brushing: action.brushing.as_ref().map(placement),
+            manner: action.manner.clone(),
+            repetition: action.repetition,
+            duration: action.duration.map(|d| duration(d.0)),
+            alternating: action.alternating,
+        })),
+    }
+}
+
+fn motion(v: &Motion) -> syntax::Motion {
+    match *v {
+        Motion::Hold => syntax::Motion::Hold,
+        Motion::Change => syntax::Motion::Change,
+        Motion::Straight { direction, extent: e, overlay } => {
+            syntax::Motion::Straight { direction, extent: extent(e), overlay }
+        }
+        Motion::Arc { direction, extent: e, bulge, depth, overlay } => syntax::Motion::Arc {
+            direction,
+            extent: extent(e),
+            bulge: (bulge != default_bulge(direction)).then_some(bulge),
+            depth,
+            overlay,
+        },
+        Motion::Circle { axis, extent: e, start, turns, ellipse, growth } => {
+            syntax::Motion::Circle { axis, extent: extent(e), start, turns, ellipse, growth }
+        }
+        Motion::Wrist(wrist, size) => syntax::Motion::Wrist(wrist, size),
+        Motion::Wiggle(digits) => syntax::Motion::Wiggle(digits),
+    }
+}
+
+fn contact(v: Contact) -> syntax::Contact {
+    use crate::phonology::ContactKind as Meant;
+    let kind = match v.kind {
+        Meant::Touch => ContactKind::Touches,
+        Meant::Close => ContactKind::CloseTo,
+        Meant::Crossed => ContactKind::Crosses,
+        Meant::Interlocked => ContactKind::Interlocks,
+        Meant::Metres(far) => ContactKind::LengthFrom(Length::from_metres(far)),
+    };
+    syntax::Contact { strong: v.strong, kind, weak: v.weak }
+}
+
+fn nonmanual(v: &NonManual) -> syntax::NonManual {
+    let what = match &v.value {
+        NonManualValue::Named(name) => NonManualWhat::Named(plain(name.clone())),
+        NonManualValue::Towards(heading) => NonManualWhat::Towards(*heading),
+        NonManualValue::At(place) => NonManualWhat::At(Box::new(placement(place))),
+        NonManualValue::Mouthing(sounds) => NonManualWhat::Mouthing(sounds.clone()),
+    };
+    syntax::NonManual { what, amount: v.amount }
+}

@@ -1,0 +1,60 @@
+//! The nearest known word, for "did you mean".
+
+/// The known word nearest to a mistyped one, if it is near enough: a third of its letters, and one for short words.
+///
+/// Case and accents count as half a slip of the hand.
+///
+/// ```
+/// use chereme::notation::suggest::nearest;
+/// assert_eq!(nearest("placment", ["placement", "movement"]), Some("placement"));
+/// assert_eq!(nearest("xyzzy", ["placement", "movement"]), None);
+/// ```
+pub fn nearest<'a>(word: &str, known: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+    const LONGEST: usize = 40;
+    let folded: Vec<char> = fold(word).chars().take(LONGEST + 1).collect();
+    if folded.is_empty() || folded.len() > LONGEST {
+        return None;
+    }
+    let allowed = (folded.len() / 3).max(1);
+    let mut best: Option<(usize, &str)> = None;
+    for candidate in known {
+        let other: Vec<char> = fold(candidate).chars().collect();
+        // One letter words are all one slip apart: there a guess says nothing.
+        if other.len() > LONGEST || folded.len().abs_diff(other.len()) > allowed || other.len().max(folded.len()) < 2 {
+            continue;
+        }
+        let slips = distance(&folded, &other);
+        if slips <= allowed && best.is_none_or(|(least, _)| slips < least) {
+            best = Some((slips, candidate));
+        }
+    }
+    best.map(|(_, word)| word)
+}
+
+/// Lower case without accents.
+pub fn fold(word: &str) -> String {
+    use unicode_normalization::UnicodeNormalization;
+    if word.is_ascii() {
+        return word.to_ascii_lowercase();
+    }
+    let plain = word.nfd().filter(|c| !unicode_normalization::char::is_combining_mark(*c));
+    plain.collect::<String>().to_lowercase()
+}
+
+/// Slips of the hand between two words: letters left out, put in, exchanged for another, or swapped with the next.
+fn distance(a: &[char], b: &[char]) -> usize {
+    let mut before = vec![0; b.len() + 1];
+    let mut last: Vec<usize> = (0..=b.len()).collect();
+    for i in 1..=a.len() {
+        let mut row = vec![i; b.len() + 1];
+        for j in 1..=b.len() {
+            let same = usize::from(a[i - 1] != b[j - 1]);
+            row[j] = (last[j - 1] + same).min(last[j] + 1).min(row[j - 1] + 1);
+            if i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1] {
+                row[j] = row[j].min(before[j - 2] + 1);
+            }
+        }
+        before = std::mem::replace(&mut last, row);
+    }
+    last[b.len()]
+}

@@ -1,0 +1,435 @@
+//! What was written in a `.sign` file: lines with their comments, values with their spans.
+//!
+//! This is the text as a tree and nothing more: names are not looked up, keys are not counted, lengths keep
+//! their units. What it means is [`crate::phonology::Sign`]; [`super::lower()`] goes there and [`super::raise()`] back.
+//! Words that mean the same in text and meaning (directions, digits, manners) are the phonology's own types.
+
+use crate::diagnostics::{Span, Spanned};
+use crate::phonology::{
+    Amount, Channel, Clock, Direction, Hand, HandPoint, Hands, HandshapeChange, Heading, Manner, Overlay, Repetition,
+    Side, Size, Space, WristMotion,
+};
+
+/// A whole file, line by line.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct File {
+    /// Every line, blank ones included.
+    pub lines: Vec<Line>,
+}
+
+/// One line.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Line {
+    /// What it says; `None` for blank lines and lines that are a comment only.
+    pub content: Option<Content>,
+    /// The comment after `#`, without the sign and the spaces around it.
+    pub comment: Option<String>,
+    /// Where the line stands.
+    pub span: Ignored<Span>,
+}
+
+/// A value that equality passes over (a place in the text).
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Ignored<T>(pub T);
+
+impl<T> PartialEq for Ignored<T> {
+    fn eq(&self, _: &Self) -> bool {
+        true
+    }
+}
+
+/// What a line says.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Content {
+    /// `language lsf`
+    Language(Spanned<String>),
+    /// `sign BOL`
+    Sign(Spanned<String>),
+    /// A tier.
+    Tier(TierLine),
+    /// A line with a fault; true where it was to begin a sign.
+    Broken {
+        /// Whether the line was a `sign` line.
+        begins_sign: bool,
+    },
+}
+
+/// A tier's line: `strong configuration  flat then fist`.
+#[derive(Debug, Clone, PartialEq)]
+pub struct TierLine {
+    /// The hand, where the line says one.
+    pub hand: Option<Hand>,
+    /// Where the keyword stands.
+    pub keyword: Ignored<Span>,
+    /// The values.
+    pub value: Value,
+}
+
+/// The values of a tier.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Value {
+    /// `meaning en "bowl", fr "bol"`
+    Meaning(Vec<(String, String)>),
+    /// `source "…"`
+    Source(String),
+    /// `status unverified`
+    Status(String),
+    /// `note "…"`
+    Note(String),
+    /// `hands both mirrored`
+    Hands(Hands),
+    /// `configuration flat then fist`
+    Configuration(Values<Configuration>),
+    /// `placement chest, touch`
+    Placement(Values<Placement>),
+    /// `orientation fingers up, palm left`
+    Orientation(Values<Orientation>),
+    /// `movement up 10cm then down 10cm`: one movement an interval.
+    Movement(Vec<Movement>),
+    /// `contact strong palm touches weak back`
+    Contact(Values<Contact>),
+    /// A non-manual tier.
+    NonManual(Channel, Values<NonManual>),
+    /// `duration 0.9s`
+    Duration(Duration),
+}
+
+impl Value {
+    /// The tier's keyword.
+    pub fn keyword(&self) -> &'static str {
+        match self {
+            Value::Meaning(_) => "meaning",
+            Value::Source(_) => "source",
+            Value::Status(_) => "status",
+            Value::Note(_) => "note",
+            Value::Hands(_) => "hands",
+            Value::Configuration(_) => "configuration",
+            Value::Placement(_) => "placement",
+            Value::Orientation(_) => "orientation",
+            Value::Movement(_) => "movement",
+            Value::Contact(_) => "contact",
+            Value::NonManual(channel, _) => channel.name(),
+            Value::Duration(_) => "duration",
+        }
+    }
+}
+
+/// Values joined by `then`.
+pub type Values<T> = Vec<Placed<T>>;
+
+/// A value and, where it says so, its key.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Placed<T> {
+    /// The value.
+    pub value: T,
+    /// The key it stands at.
+    pub at: Option<Spanned<Key>>,
+    /// Where the value stands.
+    pub span: Ignored<Span>,
+}
+
+/// Where a value stands.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Key {
+    /// `at start`
+    Start,
+    /// `at middle`
+    Middle,
+    /// `at end`
+    End,
+    /// `at key 2`: counted from 1, the start.
+    Number(usize),
+}
+
+/// A handshape as written.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Configuration {
+    /// Its name.
+    pub base: Spanned<String>,
+    /// `between A and B`: the second.
+    pub between: Option<Spanned<String>>,
+    /// Changes after commas.
+    pub changes: Vec<HandshapeChange>,
+}
+
+/// A placement as written.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Placement {
+    /// `behind …`
+    pub behind: bool,
+    /// The place.
+    pub place: Place,
+    /// `right`, `beside left`.
+    pub side: Option<(Side, bool)>,
+    /// `touch`, `3cm away`.
+    pub distance: Option<Distance>,
+    /// `with index tip`
+    pub with: Option<HandPoint>,
+    /// `offset up 5cm`
+    pub offset: Option<(Direction, Length)>,
+}
+
+/// A place as written.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Place {
+    /// A named place.
+    Named(Spanned<String>),
+    /// `other palm`
+    OtherHand(HandPoint),
+    /// `space left high near`
+    Space(Space),
+    /// `point 0.1 1.2 0.4`
+    Point([f64; 3]),
+    /// `between X and Y`
+    Between(Box<Place>, Box<Place>),
+    /// `referent "A"`
+    Referent(String),
+}
+
+/// A distance as written.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Distance {
+    /// `touch`
+    Touch,
+    /// `close`
+    Close,
+    /// `neutral distance`
+    Neutral,
+    /// `extended`
+    Extended,
+    /// `3cm away`
+    Length(Length),
+}
+
+/// An orientation as written.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Orientation {
+    /// `fingers up`
+    pub fingers: Option<Spanned<Heading>>,
+    /// `palm left`
+    pub palm: Option<Spanned<Heading>>,
+    /// `along path`
+    pub along_path: bool,
+}
+
+/// A movement as written.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Movement {
+    /// One movement.
+    Action(Box<Action>),
+    /// `( … then … )`, `fused ( … then … )`; a group of one is only a bracket, and is not kept.
+    Group {
+        /// Whether the parts are blended.
+        fused: bool,
+        /// The parts.
+        parts: Vec<Movement>,
+    },
+    /// `… while …`
+    Together(Vec<Movement>),
+    /// `( … ) repeated 2`
+    Repeated(Box<Movement>, Repetition),
+}
+
+/// One movement with what is said of it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Action {
+    /// What the hand does.
+    pub motion: Motion,
+    /// `to PLACE`
+    pub target: Option<Placement>,
+    /// `brushing PLACE`
+    pub brushing: Option<Placement>,
+    /// `fast`, `tense`, …
+    pub manner: Vec<Manner>,
+    /// `repeated 2`, `continued 2`, `to and fro 2`
+    pub repetition: Option<Repetition>,
+    /// `duration 0.4s`
+    pub duration: Option<Duration>,
+    /// `alternating`
+    pub alternating: bool,
+}
+
+/// What a hand does, as written.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Motion {
+    /// `hold`
+    Hold,
+    /// `change`; not written where a target follows.
+    Change,
+    /// A direction alone.
+    Straight {
+        /// Where to.
+        direction: Heading,
+        /// How far.
+        extent: Extent,
+        /// `zigzag`, `wavy`
+        overlay: Option<Overlay>,
+    },
+    /// `arc …`
+    Arc {
+        /// Direction of the chord.
+        direction: Heading,
+        /// Length of the chord.
+        extent: Extent,
+        /// `bulging DIR`
+        bulge: Option<Direction>,
+        /// `small bend`, `large bend`
+        depth: Size,
+        /// `zigzag`, `wavy`
+        overlay: Option<Overlay>,
+    },
+    /// `circle …`
+    Circle {
+        /// `axis DIR`
+        axis: Direction,
+        /// `radius 5cm`, `small`, `large`
+        extent: Extent,
+        /// `from 3`
+        start: Clock,
+        /// `turns 2`
+        turns: f64,
+        /// `flattened 0.5 along up`
+        ellipse: Option<(f64, Direction)>,
+        /// `growing`, `shrinking 2`
+        growth: i8,
+    },
+    /// `nod`, `twist large`
+    Wrist(WristMotion, Size),
+    /// `wiggle`, `wiggle index middle`
+    Wiggle(crate::phonology::Digits),
+}
+
+/// How far, as written.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Extent {
+    /// `small`, `large`, or nothing.
+    Size(Size),
+    /// `12cm`
+    Length(Length),
+}
+
+/// A length with the unit it was written in.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Length {
+    /// The number.
+    pub number: f64,
+    /// The unit.
+    pub unit: LengthUnit,
+}
+
+/// Units of length.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum LengthUnit {
+    /// Millimetres.
+    Mm,
+    /// Centimetres.
+    Cm,
+    /// Metres.
+    M,
+}
+
+impl LengthUnit {
+    /// All of them.
+    pub const ALL: [LengthUnit; 3] = [LengthUnit::Mm, LengthUnit::Cm, LengthUnit::M];
+
+    /// The letters after the number.
+    pub fn name(self) -> &'static str {
+        match self {
+            LengthUnit::Mm => "mm",
+            LengthUnit::Cm => "cm",
+            LengthUnit::M => "m",
+        }
+    }
+}
+
+impl Length {
+    /// In metres.
+    ///
+    /// ```
+    /// use chereme::notation::syntax::{Length, LengthUnit};
+    /// assert_eq!(Length { number: 15.0, unit: LengthUnit::Cm }.metres(), 0.15);
+    /// ```
+    pub fn metres(self) -> f64 {
+        match self.unit {
+            LengthUnit::Mm => self.number / 1000.0,
+            LengthUnit::Cm => self.number / 100.0,
+            LengthUnit::M => self.number,
+        }
+    }
+
+    /// The length that reads back as exactly these metres: in centimetres where they have at most two decimals.
+    ///
+    /// ```
+    /// use chereme::notation::syntax::Length;
+    /// assert_eq!(Length::from_metres(0.15).to_string(), "15cm");
+    /// ```
+    pub fn from_metres(metres: f64) -> Length {
+        let number = (metres * 10_000.0).round() / 100.0;
+        let centimetres = Length { number, unit: LengthUnit::Cm };
+        if centimetres.metres() == metres { centimetres } else { Length { number: metres, unit: LengthUnit::M } }
+    }
+}
+
+/// A duration with the unit it was written in.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Duration {
+    /// The number.
+    pub number: f64,
+    /// Whether it is milliseconds rather than seconds.
+    pub milliseconds: bool,
+}
+
+impl Duration {
+    /// In seconds.
+    pub fn seconds(self) -> f64 {
+        if self.milliseconds { self.number / 1000.0 } else { self.number }
+    }
+}
+
+/// A contact of the two hands as written.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Contact {
+    /// `strong index tip`
+    pub strong: HandPoint,
+    /// `touches`, …
+    pub kind: ContactKind,
+    /// `weak palm`
+    pub weak: HandPoint,
+}
+
+/// The way hands meet, as written.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum ContactKind {
+    /// `touches`
+    Touches,
+    /// `close to`
+    CloseTo,
+    /// `crosses`
+    Crosses,
+    /// `interlocks`
+    Interlocks,
+    /// `3cm from`
+    LengthFrom(Length),
+}
+
+/// A non-manual value as written.
+#[derive(Debug, Clone, PartialEq)]
+pub struct NonManual {
+    /// What.
+    pub what: NonManualWhat,
+    /// `slight`, `strong`.
+    pub amount: Amount,
+}
+
+/// What a non-manual value says.
+#[derive(Debug, Clone, PartialEq)]
+pub enum NonManualWhat {
+    /// A name of the inventory.
+    Named(Spanned<String>),
+    /// `towards up-left`
+    Towards(Heading),
+    /// `at other palm`
+    At(Box<Placement>),
+    /// `mouthing "bOl"`
+    Mouthing(String),
+}

@@ -1,0 +1,170 @@
+//! The program as its users meet it.
+
+use std::fs;
+use std::io::Write;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+
+/// A folder of its own for a test, removed at the end.
+struct Folder(PathBuf);
+
+impl Folder {
+    fn new(name: &str) -> Folder {
+        let path = std::env::temp_dir().join(format!("chereme-cli-{}-{name}", std::process::id()));
+        let _ = fs::remove_dir_all(&path);
+        fs::create_dir_all(&path).unwrap();
+        Folder(path)
+    }
+
+    fn write(&self, name: &str, text: &str) -> PathBuf {
+        let path = self.0.join(name);
+        fs::create_dir_all(path.parent().unwrap()).unwrap();
+        fs::write(&path, text).unwrap();
+        path
+    }
+}
+
+impl Drop for Folder {
+    fn drop(&mut self) {
+        let _ = fs::remove_dir_all(&self.0);
+    }
+}
+
+struct Run {
+    code: i32,
+    out: String,
+    err: String,
+}
+
+fn run(folder: &Path, args: &[&str], input: &str) -> Run {
+    let mut child = Command::new(env!("CARGO_BIN_EXE_chereme"))
+        .args(args)
+        .current_dir(folder)
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    child.stdin.take().unwrap().write_all(input.as_bytes()).ok();
+    let done = child.wait_with_output().unwrap();
+    Run {
+        code: done.status.code().unwrap_or(-1),
+        out: String::from_utf8(done.stdout).unwrap(),
+        err: String::from_utf8(done.stderr).unwrap(),
+    }
+}
+
+const GOOD: &str = "sign BOL\n  hands          both mirrored\n  movement       up 10cm\n";
+
+#[test]
+fn check_finds_faults() {
+    let folder = Folder::new("check");
+    folder.write("lsf/bol.sign", GOOD);
+    let fine = run(&folder.0, &["check", "."], "");
+    assert_eq!((fine.code, fine.out.as_str()), (0, "1 sound sign in 1 file: no faults\n"));
+    folder.write("lsf/bad.sign", "sign X\n movement ark up\nsign Y\n movement up\n");
+    let bad = run(&folder.0, &["check", "lsf"], "");
+    assert_eq!((bad.code, bad.out.as_str()), (1, "2 sound signs in 2 files: 1 fault\n"));
+    assert!(bad.err.contains("lsf/bad.sign:2:11") && bad.err.contains("did you mean `arc`?"), "{}", bad.err);
+    assert!(!bad.err.contains('\u{1b}'));
+    let piped = run(&folder.0, &["check", "-"], GOOD);
+    assert_eq!(piped.code, 0);
+}
+
+#[test]
+fn check_refuses_empty_folders_and_missing_files() {
+    let folder = Folder::new("empty");
+    let empty = run(&folder.0, &["check", "."], "");
+    assert_eq!(empty.code, 1);
+    assert!(empty.err.contains("no .sign files"), "{}", empty.err);
+    assert_eq!(run(&folder.0, &["check", "no.sign"], "").code, 2);
+    assert_eq!(run(&folder.0, &["check"], "").code, 2);
+    assert_eq!(run(&folder.0, &["--lexicon", "no", "list"], "").code, 2);
+}
+
+#[test]
+fn check_sees_duplicates_and_bad_bytes() {
+    let folder = Folder::new("twice");
+    folder.write("lsf/a.sign", GOOD);
+    folder.write("lsf/b.sign", GOOD);
+    let twice = run(&folder.0, &["check", "lsf"], "");
+    assert_eq!(twice.code, 1);
+    assert!(twice.err.contains("described twice") && twice.err.contains("lsf/a.sign:1"), "{}", twice.err);
+    fs::write(folder.0.join("c.sign"), b"sign A\n note \"caf\xe9\"\n").unwrap();
+    let bytes = run(&folder.0, &["check", "c.sign"], "");
+    assert_eq!(bytes.code, 1);
+    assert!(bytes.err.contains("0xE9 is not UTF-8"), "{}", bytes.err);
+}
+
+#[test]
+fn fmt_lays_out_and_leaves_faulty_files() {
+    let folder = Folder::new("fmt");
+    let path = folder.write("a.sign", "sign BOL # a bowl\nhands both mirrored\nmovement up 10cm");
+    assert_eq!(run(&folder.0, &["fmt", "--check", "a.sign"], "").code, 1);
+    assert_eq!(run(&folder.0, &["fmt", "a.sign"], "").code, 0);
+    assert_eq!(fs::read_to_string(&path).unwrap(), GOOD.replace("BOL\n", "BOL  # a bowl\n"));
+    assert_eq!(run(&folder.0, &["fmt", "--check", "a.sign"], "").code, 0);
+    let bad = folder.write("b.sign", "sign X\nmovement ark\n");
+    assert_eq!(run(&folder.0, &["fmt", "."], "").code, 1);
+    assert_eq!(fs::read_to_string(bad).unwrap(), "sign X\nmovement ark\n");
+    let piped = run(&folder.0, &["fmt", "-"], "sign BOL\nhands both mirrored\nmovement up 10cm");
+    assert_eq!((piped.code, piped.out.as_str()), (0, GOOD));
+    assert_eq!(fs::read_dir(&folder.0).unwrap().count(), 2, "no file is left beside");
+}
+
+#[test]
+fn new_signs_are_sound_and_replace_nothing() {
+    let folder = Folder::new("new");
+    let made = run(&folder.0, &["new", "bon appétit", "-o", "lexicon/lsf/bon.sign"], "");
+    assert_eq!(made.code, 0, "{}", made.err);
+    let checked = run(&folder.0, &["check", "lexicon"], "");
+    assert_eq!(checked.code, 0, "{}", checked.err);
+    assert_eq!(run(&folder.0, &["fmt", "--check", "lexicon"], "").code, 0);
+    assert_eq!(run(&folder.0, &["new", "X", "-o", "lexicon/lsf/bon.sign"], "").code, 1);
+    assert_eq!(run(&folder.0, &["new", "X", "-o", "lexicon/lsf/bon.sign", "--force"], "").code, 0);
+    let printed = run(&folder.0, &["new", "BOL", "--language", "lsf"], "");
+    assert!(printed.out.starts_with("language lsf\n\nsign BOL\n"));
+}
+
+#[test]
+fn list_and_explain_use_the_lexicon() {
+    let folder = Folder::new("list");
+    folder.write("lexicon/lsf/bol.sign", &GOOD.replace("BOL\n", "BOL\n  meaning en \"bowl\"\n"));
+    folder.write("more/xyz/un.sign", "sign UN\n configuration 1\n");
+    let listed = run(&folder.0, &["--lexicon", "more", "list", "--where"], "");
+    assert_eq!(listed.code, 0, "{}", listed.err);
+    assert!(listed.out.contains("lexicon/lsf/bol.sign:1") && listed.out.contains("bowl"), "{}", listed.out);
+    let one = run(&folder.0, &["list", "--language", "xyz", "--lexicon", "more"], "");
+    assert_eq!(one.out, "xyz  UN\n");
+    let said = run(&folder.0, &["explain", "bol", "--language", "lsf"], "");
+    assert!(said.out.contains("weak hand movement: mirrors the strong hand (symmetry)"), "{}", said.out);
+    let near = run(&folder.0, &["explain", "BLO", "--language", "lsf"], "");
+    assert_eq!(near.code, 1);
+    assert!(near.err.contains("did you mean `BOL`?"), "{}", near.err);
+    assert!(run(&folder.0, &["list", "--handshapes"], "").out.contains("round-B\n"));
+}
+
+#[test]
+fn a_grammar_folder_adds_names() {
+    let folder = Folder::new("grammar");
+    folder.write("g/nonmanuals.ron", "[(channel: \"brows\", name: \"dancing\")]");
+    let sign = "sign A\n brows dancing\n";
+    assert_eq!(run(&folder.0, &["check", "-"], sign).code, 1);
+    assert_eq!(run(&folder.0, &["check", "-", "--grammar", "g"], sign).code, 0);
+    folder.write("g/nonmanuals.ron", "[(chanel: 1)]");
+    let bad = run(&folder.0, &["check", "-", "--grammar", "g"], sign);
+    assert_eq!(bad.code, 1);
+    assert!(bad.err.contains("nonmanuals.ron:1"), "{}", bad.err);
+}
+
+#[test]
+fn help_has_examples_and_completions_come() {
+    let here = std::env::temp_dir();
+    for command in ["check", "fmt", "list", "new", "explain", "completions"] {
+        let help = run(&here, &[command, "--help"], "");
+        assert!(help.code == 0 && help.out.contains("chereme"), "{command}");
+        assert!(help.out.contains("Example"), "{command}");
+    }
+    assert!(run(&here, &["completions", "bash"], "").out.contains("chereme"));
+    assert_eq!(run(&here, &[], "").code, 2);
+}

@@ -1,0 +1,358 @@
+//! Random signs over the whole phonology, for laws: everything that can be meant and written.
+
+use chereme::notation::Vocabulary;
+use chereme::phonology::*;
+use chereme::time::Seconds;
+use proptest::collection::vec;
+use proptest::option::of;
+use proptest::prelude::*;
+use proptest::sample::select;
+
+/// Which names a sign uses.
+#[derive(Debug, Clone)]
+pub struct Words {
+    handshapes: Vec<String>,
+    places: Vec<String>,
+    nonmanuals: Vec<(Channel, Vec<String>)>,
+}
+
+impl Words {
+    /// Only names of the program's inventories: signs that synthesis understands.
+    pub fn known() -> Words {
+        let vocabulary = Vocabulary::builtin();
+        let nonmanuals = vocabulary.nonmanuals.iter().map(|(c, n)| (*c, n.ids().map(str::to_owned).collect()));
+        Words {
+            handshapes: vocabulary.handshapes.ids().map(str::to_owned).collect(),
+            places: vocabulary.places.ids().map(str::to_owned).collect(),
+            nonmanuals: nonmanuals.collect(),
+        }
+    }
+
+    /// Also names that are hard to write: reserved words, marks, quotes, spaces.
+    pub fn any() -> Words {
+        let hard = [
+            "then", "at", "between", "a  b", "", "left", "#", "LSF S", "\"", "É è", "to", "strong", "(x)", "12cm",
+            "“x”",
+        ];
+        let add = |names: Vec<String>| names.into_iter().take(20).chain(hard.map(str::to_owned)).collect::<Vec<_>>();
+        let known = Words::known();
+        Words {
+            handshapes: add(known.handshapes),
+            places: add(known.places),
+            nonmanuals: known.nonmanuals.into_iter().map(|(c, names)| (c, add(names))).collect(),
+        }
+    }
+}
+
+fn metres() -> impl Strategy<Value = f64> {
+    prop_oneof![3 => (1u32..200).prop_map(|cm| f64::from(cm) / 100.0), 1 => 0.001f64..3.0]
+}
+
+/// One of the 26 directions.
+pub fn direction() -> impl Strategy<Value = Direction> {
+    select(Direction::all().collect::<Vec<_>>())
+}
+
+/// A direction, or the middle of two.
+pub fn heading() -> impl Strategy<Value = Heading> {
+    let between = (direction(), direction())
+        .prop_filter("opposite", |(a, b)| *a != b.opposite())
+        .prop_map(|(a, b)| Heading::Between(a, b));
+    prop_oneof![4 => direction().prop_map(Heading::Toward), 1 => between]
+}
+
+fn digits() -> impl Strategy<Value = Digits> {
+    vec(select(Digit::ALL.to_vec()), 0..5).prop_map(Digits::of)
+}
+
+/// A point of a hand or an arm.
+pub fn hand_point() -> impl Strategy<Value = HandPoint> {
+    let flank = || of(select(Flank::ALL.to_vec()));
+    let on_digit = (digits(), select(HandPart::OF_A_DIGIT.to_vec()), flank());
+    let on_limb = (Just(Digits::NONE), select(HandPart::OF_THE_LIMB.to_vec()), flank());
+    prop_oneof![on_digit, on_limb].prop_filter_map("a finger", |(d, part, flank)| HandPoint::new(d, part, flank))
+}
+
+/// A handshape with changes.
+pub fn configuration(words: &Words) -> impl Strategy<Value = Configuration> + use<> {
+    let two = (select(Digit::ALL.to_vec()), select(Digit::ALL.to_vec()));
+    let change = prop_oneof![
+        select(ThumbPosition::ALL.to_vec()).prop_map(HandshapeChange::Thumb),
+        (digits(), select(Bend::ALL.to_vec())).prop_map(|(d, b)| HandshapeChange::Bend(d, b)),
+        any::<bool>().prop_map(HandshapeChange::Spread),
+        two.clone().prop_filter("two", |(a, b)| a != b).prop_map(|(a, b)| HandshapeChange::Cross(a, b)),
+        two.prop_map(|(a, b)| HandshapeChange::ThumbBetween(a, b)),
+    ];
+    let names = select(words.handshapes.clone());
+    (names.clone(), of(names), vec(change, 0..3)).prop_map(|(base, between, changes)| Configuration {
+        base,
+        between,
+        changes,
+    })
+}
+
+fn place(words: &Words) -> impl Strategy<Value = Place> + use<> {
+    let axis = || -1i8..=1;
+    let leaf = prop_oneof![
+        4 => select(words.places.clone()).prop_map(Place::Body),
+        2 => hand_point().prop_map(Place::OtherHand),
+        2 => (axis(), axis(), axis()).prop_map(|(left, high, far)| Place::Space(Space { left, high, far })),
+        1 => [-9.9f64..9.9, -9.9f64..9.9, -9.9f64..9.9].prop_map(|p| Place::Point(glam::DVec3::from_array(p))),
+        1 => "[A-Za-z \"\\\\#é]{0,6}".prop_map(Place::Referent),
+    ];
+    leaf.prop_recursive(3, 8, 2, |inner| {
+        (inner.clone(), inner).prop_map(|(a, b)| Place::Between(Box::new(a), Box::new(b)))
+    })
+}
+
+/// A placement.
+pub fn placement(words: &Words) -> impl Strategy<Value = Placement> + use<> {
+    let lateral = (select(vec![Side::Left, Side::Right]), any::<bool>());
+    let distance = prop_oneof![
+        Just(Distance::Unmarked),
+        Just(Distance::Touch),
+        Just(Distance::Close),
+        Just(Distance::Neutral),
+        Just(Distance::Extended),
+        (0.0f64..3.0).prop_map(Distance::Metres),
+        metres().prop_map(Distance::Metres),
+    ];
+    (place(words), of(lateral), distance, any::<bool>(), of(hand_point()), of((direction(), metres()))).prop_map(
+        |(place, lateral, distance, behind, with, offset)| Placement {
+            place,
+            lateral: lateral.map(|(side, beside)| Lateral { side, beside }),
+            distance,
+            behind,
+            with,
+            offset,
+        },
+    )
+}
+
+/// An orientation whose palm does not face along its fingers.
+pub fn orientation() -> impl Strategy<Value = Orientation> {
+    (of(heading()), of(heading()), any::<bool>())
+        .prop_map(|(fingers, palm, along_path)| Orientation { fingers, palm, along_path })
+        .prop_filter("something is said", |o| o.fingers.is_some() || o.palm.is_some() || o.along_path)
+}
+
+fn size() -> impl Strategy<Value = Size> {
+    select(vec![Size::Small, Size::Normal, Size::Large])
+}
+
+fn extent() -> impl Strategy<Value = Extent> {
+    prop_oneof![size().prop_map(Extent::Size), metres().prop_map(Extent::Metres)]
+}
+
+fn overlay() -> impl Strategy<Value = Option<Overlay>> {
+    of((any::<bool>(), size()).prop_map(|(zigzag, size)| Overlay { zigzag, size }))
+}
+
+fn across(a: glam::DVec3, b: glam::DVec3) -> bool {
+    a.cross(b).length() >= 0.21
+}
+
+fn motion() -> impl Strategy<Value = Motion> {
+    let arc = (heading(), extent(), direction(), size(), overlay())
+        .prop_filter("a bulge", |(d, _, b, ..)| across(d.vector(), b.vector()))
+        .prop_map(|(direction, extent, bulge, depth, overlay)| Motion::Arc {
+            direction,
+            extent,
+            bulge,
+            depth,
+            overlay,
+        });
+    let ellipse = of((0.01f64..0.99, direction()));
+    let circle = (direction(), extent(), 0u8..8, 0.1f64..9.0, ellipse, -9i8..=9)
+        .prop_filter("an ellipse", |(axis, _, _, _, e, _)| e.is_none_or(|(_, d)| across(d.vector(), axis.vector())))
+        .prop_map(|(axis, extent, start, turns, ellipse, growth)| Motion::Circle {
+            axis,
+            extent,
+            start: Clock::new(start).unwrap(),
+            turns,
+            ellipse,
+            growth,
+        });
+    prop_oneof![
+        Just(Motion::Hold),
+        Just(Motion::Change),
+        (heading(), extent(), overlay()).prop_map(|(direction, extent, overlay)| Motion::Straight {
+            direction,
+            extent,
+            overlay
+        }),
+        arc,
+        circle,
+        (select(WristMotion::ALL.to_vec()), size()).prop_map(|(w, s)| Motion::Wrist(w, s)),
+        digits().prop_map(Motion::Wiggle),
+    ]
+}
+
+fn repetition() -> impl Strategy<Value = Repetition> {
+    let kinds = vec![RepetitionKind::FromStart, RepetitionKind::Continue, RepetitionKind::ToAndFro];
+    (select(kinds), 2u8..=50, -9i8..=9).prop_map(|(kind, times, growth)| Repetition { kind, times, growth })
+}
+
+/// A movement of one interval.
+pub fn movement(words: &Words) -> impl Strategy<Value = Movement> + use<> {
+    let manner = proptest::sample::subsequence(Manner::ALL.to_vec(), 0..=3);
+    let action = (
+        motion(),
+        of(placement(words)),
+        proptest::option::weighted(0.1, placement(words)),
+        manner,
+        of(repetition()),
+        of(0.01f64..60.0),
+        any::<bool>(),
+    );
+    let leaf = action.prop_map(|(motion, target, brushing, manner, repetition, duration, alternating)| {
+        let duration = duration.map(Seconds);
+        Movement::Action(Box::new(Action { motion, target, brushing, manner, repetition, duration, alternating }))
+    });
+    leaf.prop_recursive(2, 6, 3, |inner| {
+        let parts = vec(inner, 2..4);
+        prop_oneof![
+            parts.clone().prop_map(Movement::Sequence),
+            parts.clone().prop_map(Movement::Together),
+            parts.prop_map(Movement::Fused),
+        ]
+    })
+}
+
+/// Values at some of the keys of a sign.
+fn keys<T: std::fmt::Debug + Clone + 'static>(
+    value: impl Strategy<Value = T> + 'static,
+    intervals: usize,
+) -> impl Strategy<Value = Keys<T>> {
+    vec(proptest::option::weighted(0.5, value), intervals + 1).prop_map(|all| {
+        let stated = all.into_iter().enumerate().filter_map(|(k, v)| Some((k, v?))).collect();
+        Keys::new(stated).unwrap()
+    })
+}
+
+fn manual(words: &Words, intervals: usize, moves: bool) -> impl Strategy<Value = Manual> + use<> {
+    let count = if moves { intervals } else { 0 };
+    (
+        keys(configuration(words), intervals),
+        keys(placement(words), intervals),
+        keys(orientation(), intervals).prop_filter("a palm", palms_can_be),
+        vec(movement(words), count),
+    )
+        .prop_map(|(configuration, placement, orientation, movement)| Manual {
+            configuration,
+            placement,
+            orientation,
+            movement,
+        })
+}
+
+/// No palm faces along the fingers, those of the keys before included.
+fn palms_can_be(keys: &Keys<Orientation>) -> bool {
+    let (mut fingers, mut palm) = (None, None);
+    keys.iter().all(|(_, o)| {
+        fingers = o.fingers.or(fingers);
+        palm = o.palm.or(palm);
+        match (fingers, palm) {
+            (Some(f), Some(p)) => f.vector().cross(p.vector()).length() > 0.11,
+            _ => true,
+        }
+    })
+}
+
+fn symmetry() -> impl Strategy<Value = Symmetry> {
+    (any::<bool>(), any::<[bool; 4]>()).prop_map(|(mirrored, [up_down, out_in, alternating, crossed])| Symmetry {
+        relation: if mirrored { Relation::Mirrored } else { Relation::Parallel },
+        up_down,
+        out_in,
+        alternating,
+        crossed,
+    })
+}
+
+fn contact() -> impl Strategy<Value = Contact> {
+    let kind = prop_oneof![select(ContactKind::NAMED.to_vec()), (0.0f64..3.0).prop_map(ContactKind::Metres),];
+    (hand_point(), hand_point(), kind).prop_map(|(strong, weak, kind)| Contact { strong, weak, kind })
+}
+
+fn nonmanual(words: &Words, channel: Channel) -> impl Strategy<Value = NonManual> + use<> {
+    let names = words.nonmanuals.iter().find(|(c, _)| *c == channel).map(|(_, n)| n.clone()).unwrap_or_default();
+    let names = if names.is_empty() { vec!["x".to_owned()] } else { names };
+    let value = prop_oneof![
+        3 => select(names).prop_map(NonManualValue::Named),
+        1 => heading().prop_map(NonManualValue::Towards),
+        1 => placement(words).prop_map(NonManualValue::At),
+        1 => "[a-zA-Z@:\"\\\\]{0,6}".prop_map(NonManualValue::Mouthing),
+    ];
+    (value, select(vec![Amount::Slight, Amount::Plain, Amount::Strong]))
+        .prop_map(|(value, amount)| NonManual { value, amount })
+}
+
+fn nonmanuals(words: &Words, intervals: usize) -> impl Strategy<Value = Vec<(Channel, Keys<NonManual>)>> + use<> {
+    let words = words.clone();
+    proptest::sample::subsequence(Channel::ALL.to_vec(), 0..=3).prop_flat_map(move |channels| {
+        channels
+            .into_iter()
+            .map(|c| {
+                keys(nonmanual(&words, c), intervals).prop_filter("said", |k| !k.is_empty()).prop_map(move |k| (c, k))
+            })
+            .collect::<Vec<_>>()
+    })
+}
+
+fn text() -> impl Strategy<Value = String> {
+    prop_oneof!["[ -~é“”\t\n\\\\\"]{0,12}", any::<String>()]
+}
+
+/// A whole sign in the form that reading gives: a sign with intervals has a movement of a hand that acts.
+pub fn sign(words: Words) -> impl Strategy<Value = Sign> {
+    let hands = prop_oneof![
+        Just(Hands::Strong),
+        Just(Hands::Weak),
+        Just(Hands::Both(None)),
+        symmetry().prop_map(|s| Hands::Both(Some(s))),
+    ];
+    (hands, 0usize..5, any::<(bool, bool)>()).prop_flat_map(move |(hands, intervals, (strong_moves, weak_moves))| {
+        let (acts_strong, acts_weak) = match hands {
+            Hands::Strong => (true, false),
+            Hands::Weak => (false, true),
+            Hands::Both(_) => (true, true),
+        };
+        let empty = || Just(Manual::default()).boxed();
+        // One of them moves, where there is an interval.
+        let strong_moves = strong_moves || !weak_moves || !acts_weak;
+        let strong = if acts_strong { manual(&words, intervals, strong_moves).boxed() } else { empty() };
+        let weak_moves = weak_moves || !acts_strong;
+        let weak = if acts_weak { manual(&words, intervals, weak_moves).boxed() } else { empty() };
+        let contact = match hands {
+            Hands::Both(_) => keys(contact(), intervals).boxed(),
+            Hands::Strong | Hands::Weak => Just(Keys::default()).boxed(),
+        };
+        let name = prop_oneof!["[A-ZÉÈ][A-Z0-9-]{0,8}", "[A-Z#=(]{1,3}( [a-z,]{1,4})?"];
+        let header = (
+            name,
+            prop_oneof![Just(String::new()), "[a-z]{3}"],
+            vec(("[a-z]{2}", text()), 0..3),
+            of(text()),
+            of(text()),
+            of(text()),
+            of(0.01f64..60.0),
+        );
+        (header, strong, weak, contact, nonmanuals(&words, intervals)).prop_map(
+            move |((name, language, meaning, source, status, note, duration), strong, weak, contact, nonmanual)| Sign {
+                name,
+                language,
+                meaning,
+                source,
+                status,
+                note,
+                hands,
+                intervals,
+                strong,
+                weak,
+                contact,
+                nonmanual,
+                duration: duration.map(Seconds),
+            },
+        )
+    })
+}
