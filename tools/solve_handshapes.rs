@@ -19,7 +19,7 @@ use chereme::body::hand_skin::HandSkin;
 use chereme::diagnostics::{Error, Source};
 use chereme::motion::skeleton::Skeleton;
 use chereme::phonology::Side;
-use chereme::phonology::handshape::{Handshape, HandshapeInventory, Solved};
+use chereme::phonology::handshape::{Handshape, HandshapeInventory, Solved, ThumbGoal};
 use goals::Goals;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
@@ -75,15 +75,21 @@ fn solve_all(hand: &HandSkin, shapes: &mut [Handshape], only: Option<&str>) {
 }
 
 /// Where the thumb may start from besides the table: radial, palmar, pronation, MCP, IP, degrees.
-const STARTS: [[f64; 5]; 3] =
-    [[40.0, 65.0, 50.0, 45.0, 40.0], [5.0, 45.0, 55.0, 10.0, 0.0], [20.0, 12.0, 10.0, 5.0, 10.0]];
+const STARTS: [[f64; 5]; 6] = [
+    [40.0, 65.0, 50.0, 45.0, 40.0],
+    [14.0, 68.0, 35.0, 50.0, 50.0],
+    [-5.0, 50.0, 40.0, 60.0, 20.0],
+    [-15.0, 54.0, 52.0, 18.0, -15.0],
+    [5.0, 45.0, 55.0, 10.0, 0.0],
+    [20.0, 12.0, 10.0, 5.0, 10.0],
+];
 
 /// The best of several starts: the table's thumb, that thumb swung aside, and thumbs across, opposed and along.
 fn solve(hand: &HandSkin, shape: &Handshape) -> Solved {
     let goals = Goals::new(hand, shape);
     let table = shape.table.to_array();
     let mut starts = vec![table];
-    if shape.has_contact() {
+    if !matches!(shape.thumb, ThumbGoal::Posture(_)) {
         let mut swung = table;
         swung[16] += 20f64.to_radians();
         swung[18] += 10f64.to_radians();
@@ -91,9 +97,9 @@ fn solve(hand: &HandSkin, shape: &Handshape) -> Solved {
         starts.extend(STARTS.map(|s| std::array::from_fn(|i| if i < 16 { table[i] } else { s[i - 16].to_radians() })));
     }
     let mut tried: Vec<(f64, [f64; 21])> =
-        starts.into_iter().map(|x| least_squares::solve(&goals, goals.clamp(x), 8)).collect();
+        starts.into_iter().map(|x| least_squares::solve(&goals, goals.clamp(x), 10)).collect();
     tried.sort_by(|a, b| a.0.total_cmp(&b.0));
-    let finished = tried.into_iter().take(2).map(|(_, x)| least_squares::solve(&goals, x, 30));
+    let finished = tried.into_iter().take(3).map(|(_, x)| least_squares::solve(&goals, x, 25));
     let (_, x) = finished.min_by(|a, b| a.0.total_cmp(&b.0)).unwrap_or((0.0, table));
     let angles = report::rounded(&goals.hand_angles(x));
     Solved { angles, residual_mm: (hand.pose(&angles).residual_mm(&shape.thumb) * 10.0).round() / 10.0 }
