@@ -18,6 +18,9 @@ use crate::phonology::{
 };
 use glam::{DQuat, DVec3};
 
+/// How far from the middle each of two hands is that nothing else sets apart, arm lengths: 13 cm on the avatar.
+const HANDS_APART_ARMS: f64 = 0.27;
+
 /// Points that are `close` to each other on two hands, arm lengths apart.
 const HANDS_CLOSE_ARMS: f64 = 0.06;
 
@@ -276,10 +279,18 @@ impl Planner<'_> {
             Place::Body(name) => {
                 let row =
                     self.grammar.locations.get(name).ok_or_else(|| Error::new(format!("no place is called {name}")))?;
-                let lateral = placement.lateral.or_else(|| self.unsaid_side(sign, side, row.paired, &row.id, meeting));
+                let both = matches!(sign.hands, Hands::Both(Some(_)));
+                // Two hands before the body are a little narrower than the shoulders; on it, each is on its own side.
+                let apart = both && !meeting && placement.lateral.is_none() && !row.paired && !self.touches(placement);
+                let lateral = match apart {
+                    true => None,
+                    false => placement.lateral.or_else(|| self.unsaid_side(sign, side, row.paired, &row.id, meeting)),
+                };
                 let landmark = landmarks.body_place(&row.id, lateral)?;
                 let from = (landmark.position(self.neutral), landmark.normal(self.neutral));
-                Anchor::over(&landmark, metres(row.unmarked, from))
+                let own_side =
+                    DVec3::X * side.sign() * if apart { HANDS_APART_ARMS * landmarks.arm_length() } else { 0.0 };
+                Anchor::over(&landmark, metres(row.unmarked, from)).moved(own_side)
             }
             Place::OtherHand(point) => {
                 *on_other_hand = true;
