@@ -19,7 +19,7 @@ use chereme::body::hand_skin::HandSkin;
 use chereme::diagnostics::{Error, Source};
 use chereme::motion::skeleton::Skeleton;
 use chereme::phonology::Side;
-use chereme::phonology::handshape::{Handshape, HandshapeInventory, Solved};
+use chereme::phonology::handshape::{Handshape, HandshapeInventory, Solved, ThumbGoal};
 use goals::Goals;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
@@ -74,26 +74,33 @@ fn solve_all(hand: &HandSkin, shapes: &mut [Handshape], only: Option<&str>) {
     }
 }
 
-/// The best of several starts: the table's thumb, and that thumb swung to several sides.
+/// Where the thumb may start from besides the table: radial, palmar, pronation, MCP, IP, degrees.
+const STARTS: [[f64; 5]; 6] = [
+    [40.0, 65.0, 50.0, 45.0, 40.0],
+    [14.0, 68.0, 35.0, 50.0, 50.0],
+    [-5.0, 50.0, 40.0, 60.0, 20.0],
+    [-15.0, 54.0, 52.0, 18.0, -15.0],
+    [5.0, 45.0, 55.0, 10.0, 0.0],
+    [20.0, 12.0, 10.0, 5.0, 10.0],
+];
+
+/// The best of several starts: the table's thumb, that thumb swung aside, and thumbs across, opposed and along.
 fn solve(hand: &HandSkin, shape: &Handshape) -> Solved {
     let goals = Goals::new(hand, shape);
-    let start = shape.table.to_array();
-    let swings: &[(f64, f64, f64)] = match shape.has_contact() {
-        true => &[(0.0, 0.0, 0.0), (20.0, 0.0, 10.0), (0.0, -20.0, 20.0), (-15.0, 10.0, -10.0)],
-        false => &[(0.0, 0.0, 0.0)],
-    };
-    let mut best: Option<(f64, [f64; 21])> = None;
-    for (radial, palmar, pronation) in swings {
-        let mut x = start;
-        x[16] += radial.to_radians();
-        x[17] += palmar.to_radians();
-        x[18] += pronation.to_radians();
-        let (cost, found) = least_squares::solve(&goals, goals.clamp(x), 30);
-        if best.is_none_or(|(c, _)| cost < c) {
-            best = Some((cost, found));
-        }
+    let table = shape.table.to_array();
+    let mut starts = vec![table];
+    if !matches!(shape.thumb, ThumbGoal::Posture(_)) {
+        let mut swung = table;
+        swung[16] += 20f64.to_radians();
+        swung[18] += 10f64.to_radians();
+        starts.push(swung);
+        starts.extend(STARTS.map(|s| std::array::from_fn(|i| if i < 16 { table[i] } else { s[i - 16].to_radians() })));
     }
-    let (_, x) = best.unwrap_or((0.0, start));
+    let mut tried: Vec<(f64, [f64; 21])> =
+        starts.into_iter().map(|x| least_squares::solve(&goals, goals.clamp(x), 10)).collect();
+    tried.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let finished = tried.into_iter().take(3).map(|(_, x)| least_squares::solve(&goals, x, 25));
+    let (_, x) = finished.min_by(|a, b| a.0.total_cmp(&b.0)).unwrap_or((0.0, table));
     let angles = report::rounded(&goals.hand_angles(x));
     Solved { angles, residual_mm: (hand.pose(&angles).residual_mm(&shape.thumb) * 10.0).round() / 10.0 }
 }

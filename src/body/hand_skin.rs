@@ -96,7 +96,8 @@ impl HandSkin {
             ThumbGoal::Posture(_) => return None,
             ThumbGoal::Touch(part, digits, target) => {
                 let thumb = self.thumb_patch(part)?;
-                let thumb = if several(digits) { self.widened(thumb) } else { thumb };
+                let lies_along = several(digits) || part == ThumbPart::Joint;
+                let thumb = if lies_along { self.widened(thumb) } else { thumb };
                 (thumb, digits.iter().map(|d| self.target_patch(d, target)).collect::<Vec<_>>())
             }
             ThumbGoal::Gap(digits, _) => {
@@ -104,8 +105,13 @@ impl HandSkin {
                 (self.thumb_patch(ThumbPart::Pad)?, pads.collect())
             }
             ThumbGoal::Between(a, b) => {
-                let inner = |d: Digit, z: f64| self.finger_patch(d, 1, 0.3, DVec3::Z * z);
-                (self.thumb_patch(ThumbPart::Tip)?, vec![inner(a.min(b), -1.0), inner(a.max(b), 1.0)])
+                // Under the one finger and over the next: there is no room for a thumb between parallel knuckles.
+                let facing = DVec3::new(0.0, 1.0, 1.0);
+                let thumb = self.thumb_patch(ThumbPart::Tip)?;
+                let last = |v: &usize| self.bones[*v] == HandBone::Phalanx(Digit::Thumb, 2);
+                let thumb = Patch { at: thumb.at, vertices: (0..self.skin.len()).filter(last).collect() };
+                let (near, far) = (a.min(b), a.max(b));
+                (thumb, vec![self.finger_patch(near, 1, 0.5, -facing), self.finger_patch(far, 1, 0.4, facing)])
             }
         };
         Some((thumb, targets.into_iter().collect::<Option<Vec<_>>>()?))

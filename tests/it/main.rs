@@ -1,5 +1,6 @@
 //! One integration binary; the tree mirrors `src/`.
 mod body_hand;
+mod body_skin;
 mod body_landmarks;
 mod format_glb;
 mod phonology_handshape;

@@ -22,6 +22,8 @@ pub struct Goals<'a> {
     /// Last phalanges of closed fingers.
     closed: Vec<(Patch, f64)>,
     palm: Vec<usize>,
+    /// Backs of the crossing finger, which lie on the vertices of the other.
+    crossing: Option<(Vec<Patch>, Vec<usize>)>,
 }
 
 impl<'a> Goals<'a> {
@@ -30,14 +32,33 @@ impl<'a> Goals<'a> {
         let palm = vertices(hand, |b| b == HandBone::Palm);
         let inside = matches!(shape.thumb, ThumbGoal::Touch(ThumbPart::Tip, _, ThumbTarget::MiddleFront))
             || matches!(shape.thumb, ThumbGoal::Between(..));
-        let closed = (0..4).filter(|i| shape.flexion[*i] == "closed" && !inside);
+        // Under a thumb laid across, the ball of the thumb takes the fingertip's place on the palm.
+        let covered = |i: usize| match shape.thumb {
+            ThumbGoal::Touch(_, digits, ThumbTarget::MiddleBack) => digits.contains(Digit::FINGERS[i]),
+            _ => false,
+        };
+        let closed = (0..4).filter(|i| shape.flexion[*i] == "closed" && !inside && !covered(*i));
         let places = closed.flat_map(|i| [(i, 0.75, 0.5), (i, 0.3, 0.25)]);
         let closed = places.filter_map(|(i, share, weight)| {
             hand.finger_patch(Digit::FINGERS[i], 2, share, -DVec3::Y).map(|patch| (patch, weight))
         });
         let closed = closed.collect();
         let contact = hand.patches(&shape.thumb);
-        Goals { hand, shape, contact, apart: pairs(hand, &palm), together: together(hand, shape), closed, palm }
+        let crossing = shape.crossing.map(|(front, behind)| {
+            let backs = [(1, 0.8), (2, 0.4)].map(|(k, share)| hand.finger_patch(front, k, share, DVec3::Y));
+            let other = vertices(hand, |b| matches!(b, HandBone::Phalanx(d, k) if d == behind && k >= 1));
+            (backs.into_iter().flatten().collect(), other)
+        });
+        Goals {
+            hand,
+            shape,
+            contact,
+            apart: pairs(hand, &palm),
+            together: together(hand, shape),
+            closed,
+            palm,
+            crossing,
+        }
     }
 
     /// The angles brought within limits and near the table.
@@ -67,6 +88,9 @@ impl<'a> Goals<'a> {
         for (patch, weight) in &self.closed {
             rows.push((posed.above_mm(posed.middle(patch).0, &self.palm) - 0.2) * weight);
         }
+        if let Some((backs, other)) = &self.crossing {
+            rows.extend(backs.iter().map(|b| (distance_mm(&posed, posed.middle(b).0, other) - 1.0) * 0.6));
+        }
         self.near_the_table(x, &mut rows);
         rows
     }
@@ -90,21 +114,29 @@ impl<'a> Goals<'a> {
                 rows.extend(((off - m * along) * 0.2).to_array());
                 rows.extend((facing * 0.5).to_array());
             }
-            ThumbGoal::Between(..) => rows.extend(off.to_array()),
+            ThumbGoal::Between(..) => {
+                rows.extend((off * 0.4).to_array());
+                rows.extend(targets.iter().map(|t| posed.above_mm(posed.middle(t).0, thumb.vertices())));
+            }
             ThumbGoal::Touch(part, _, target) => {
                 let pad_to_pad = target == ThumbTarget::Pad;
                 let along = off.dot(m);
                 let aside = off - m * along;
                 rows.push(along * 1.5);
-                rows.extend((aside * if pad_to_pad { 0.7 } else { 0.45 }).to_array());
+                let exact = match targets.len() {
+                    1 if pad_to_pad => 0.7,
+                    1 => 0.45,
+                    _ => 0.25,
+                };
+                rows.extend((aside * exact).to_array());
                 let weight = match part {
                     ThumbPart::Pad => 1.0,
                     ThumbPart::Joint => 0.5,
                     ThumbPart::Tip | ThumbPart::Side => 0.2,
                 };
                 rows.extend((facing * weight).to_array());
-                if targets.len() > 1 {
-                    rows.extend(targets.iter().map(|t| posed.above_mm(posed.middle(t).0, thumb.vertices()) * 0.8));
+                if targets.len() > 1 || part == ThumbPart::Joint {
+                    rows.extend(targets.iter().map(|t| posed.above_mm(posed.middle(t).0, thumb.vertices()) * 1.2));
                 }
             }
             ThumbGoal::Posture(_) => {}
@@ -115,12 +147,17 @@ impl<'a> Goals<'a> {
     fn near_the_table(&self, x: [f64; 21], rows: &mut Vec<f64>) {
         let table = self.shape.table.to_array();
         let straight_thumb = matches!(self.shape.thumb, ThumbGoal::Touch(ThumbPart::Joint, ..));
+        let gap = matches!(self.shape.thumb, ThumbGoal::Gap(..));
         let free_thumb = matches!(self.shape.thumb, ThumbGoal::Posture(_));
         for i in 0..21 {
             let weight = match i {
+                // The middle finger is the hand's axis; a thumb alongside must not draw the others over.
+                5 => 0.6,
+                1 if straight_thumb => 0.6,
                 0..16 => 0.12,
                 _ if free_thumb => 0.5,
                 19.. if straight_thumb => 0.3,
+                _ if gap => 0.1,
                 _ => 0.03,
             };
             rows.push((x[i] - table[i]).to_degrees() * weight);
@@ -140,6 +177,11 @@ impl<'a> Goals<'a> {
     }
 }
 
+/// From a point to the nearest of the vertices, millimetres.
+fn distance_mm(posed: &PosedHand, point: DVec3, part: &[usize]) -> f64 {
+    part.iter().map(|v| posed.skin.positions[*v].distance(point) * 1000.0).fold(f64::INFINITY, f64::min)
+}
+
 fn vertices(hand: &HandSkin, of: impl Fn(HandBone) -> bool) -> Vec<usize> {
     (0..hand.bones().len()).filter(|v| of(hand.bones()[*v])).collect()
 }
@@ -152,10 +194,10 @@ fn pairs(hand: &HandSkin, palm: &[usize]) -> Vec<(Vec<usize>, Vec<usize>, f64)> 
     let mut pairs = Vec::new();
     for d in Digit::ALL {
         let outer = of(d, if d == Digit::Thumb { 2 } else { 1 });
-        pairs.push((outer.clone(), palm.to_vec(), 1.0));
+        pairs.push((outer.clone(), palm.to_vec(), 2.5));
         for other in Digit::ALL.into_iter().filter(|o| *o != d) {
             let least = usize::from(other == Digit::Thumb);
-            pairs.push((outer.clone(), of(other, least), 0.6));
+            pairs.push((outer.clone(), of(other, least), 0.9));
         }
     }
     pairs

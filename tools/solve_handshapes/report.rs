@@ -81,6 +81,11 @@ pub fn line(hand: &HandSkin, shape: &Handshape) -> String {
             }
         }
     }
+    let deepest = tips.iter().max_by(|a, b| posed.depth_mm(**a, &palm).total_cmp(&posed.depth_mm(**b, &palm)));
+    let entering = match deepest.map(|v| hand.bones()[*v]) {
+        Some(HandBone::Phalanx(digit, _)) if posed.deepest_mm(&tips, &palm) > 0.0 => digit.name(),
+        _ => "",
+    };
     let table = shape.table.to_array();
     let moved = angles.to_array()[..16].iter().zip(table).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
     let kind = match shape.thumb {
@@ -91,7 +96,7 @@ pub fn line(hand: &HandSkin, shape: &Handshape) -> String {
     let t = angles.thumb;
     let thumb = [t.radial, t.palmar, t.pronation, t.mcp, t.ip].map(|a| a.to_degrees().round());
     format!(
-        "{:18} {kind:5} {:5.1} mm  in palm {:4.1}  in one another {:4.1} {:13} from table {:4.1}°  thumb {thumb:?}",
+        "{:18} {kind:5} {:5.1} mm  in palm {:4.1} {entering:6} in one another {:4.1} {:13} from table {:4.1}°  thumb {thumb:?}",
         shape.id,
         posed.residual_mm(&shape.thumb),
         posed.deepest_mm(&tips, &palm),
