@@ -140,21 +140,24 @@ fn expectation_50_twice_the_speed_is_half_the_time_on_the_same_path() {
 /// Contact points that a description puts on the skin, checked on the finished clip.
 #[test]
 fn contact_points_are_within_5_mm_of_their_landmark() {
-    let mut checked = 0;
+    let (mut checked, mut greatest) = (0, 0.0f64);
     for language in ["lsf", "bsl"] {
         for sign in signs_of(language) {
-            checked += check_contacts(&sign);
+            let (here, miss) = check_contacts(&sign);
+            checked += here;
+            greatest = greatest.max(miss);
         }
     }
+    println!("{checked} contacts, the greatest miss {greatest:.3} mm");
     assert!(checked >= 20, "only {checked} contacts were found to check");
 }
 
-fn check_contacts(sign: &Sign) -> usize {
+fn check_contacts(sign: &Sign) -> (usize, f64) {
     let world = world();
     let (landmarks, grammar) = (&world.signer.landmarks, &world.grammar);
     // Sampled at a thousand frames a second, the keys are hit.
     let performance = perform_with(sign, &Options { fps: Fps::new(1000.0).unwrap(), ..Options::default() });
-    let mut checked = 0;
+    let (mut checked, mut greatest) = (0, 0.0f64);
     for hand in Hand::BOTH.into_iter().filter(|h| symmetry::acts(sign, *h)) {
         let side = side_of(hand);
         let said = symmetry::resolve(sign, hand);
@@ -179,6 +182,7 @@ fn check_contacts(sign: &Sign) -> usize {
             let miss = own.position(&body).distance(place + offset) * 1e3;
             assert!(miss < 5.0, "{} {}, {hand:?} hand, key {key}: {miss:.1} mm off", sign.language, sign.name);
             checked += 1;
+            greatest = greatest.max(miss);
         }
     }
     for (key, contact) in sign.contact.iter().filter(|_| matches!(sign.hands, Hands::Both(_))) {
@@ -190,8 +194,9 @@ fn check_contacts(sign: &Sign) -> usize {
         let miss = at(Side::Right, contact.strong).distance(at(Side::Left, contact.weak)) * 1e3;
         assert!(miss < 5.0, "{}: the hands meet {miss:.1} mm apart", sign.name);
         checked += 1;
+        greatest = greatest.max(miss);
     }
-    checked
+    (checked, greatest)
 }
 
 #[test]
