@@ -149,8 +149,8 @@ impl Render {
             }
         }
         if !self.sign.is_empty() {
-            let wanted: Vec<String> = self.sign.iter().map(|n| crate::notation::lexicon::fold_name(n)).collect();
-            let folded = |s: &Sign| crate::notation::lexicon::fold_name(&s.name);
+            let wanted: Vec<String> = self.sign.iter().map(|n| crate::phonology::grammar::fold(n)).collect();
+            let folded = |s: &Sign| crate::phonology::grammar::fold(&s.name);
             if let Some(missing) = wanted.iter().position(|w| !signs.iter().any(|s| folded(s) == *w)) {
                 return Err(Failure::Faults(Some(format!("there is no sign {} in what was read", self.sign[missing]))));
             }

@@ -15,5 +15,6 @@ pub mod pose;
 pub mod profile;
 pub mod reach;
 pub mod rotation;
+pub mod short_arc;
 pub mod skeleton;
 pub mod two_bone;

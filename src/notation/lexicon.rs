@@ -7,8 +7,8 @@ use super::read::{Reading, read};
 use super::vocabulary::Vocabulary;
 use crate::diagnostics::{Diagnostic, Error, Source, Span};
 use crate::phonology::Sign;
+use crate::phonology::grammar::fold;
 use std::collections::BTreeMap;
-use unicode_normalization::UnicodeNormalization;
 
 /// A sign and where it was found.
 #[derive(Debug, Clone, PartialEq)]
@@ -43,11 +43,6 @@ pub struct Lexicon {
     /// By language and folded name; a name of an alphabet is kept apart from a sign of the same name.
     entries: BTreeMap<(String, String), Entry>,
     layers: usize,
-}
-
-/// The form in which names are compared: NFC, lower case.
-pub fn fold_name(name: &str) -> String {
-    name.nfc().flat_map(char::to_lowercase).nfc().collect()
 }
 
 /// The language of a file by its folder: `lexicon/lsf/bol.sign` is `lsf`.
@@ -99,7 +94,7 @@ impl Lexicon {
     /// # Errors
     /// No sign of that name (with the nearest), or several languages that have one (listing them).
     pub fn find(&self, name: &str, language: Option<&str>) -> Result<&Entry, Error> {
-        let folded = fold_name(name);
+        let folded = fold(name);
         let wanted = |entry: &&Entry| language.is_none_or(|l| entry.sign.language.eq_ignore_ascii_case(l));
         let hits: Vec<&Entry> =
             self.entries.iter().filter(|((_, n), _)| *n == folded).map(|(_, e)| e).filter(wanted).collect();
@@ -122,7 +117,7 @@ impl Lexicon {
 
     /// A letter of a language's alphabet.
     pub fn letter(&self, letter: &str, language: &str) -> Option<&Entry> {
-        let entry = self.entries.get(&(language.to_lowercase(), fold_name(letter)))?;
+        let entry = self.entries.get(&(language.to_lowercase(), fold(letter)))?;
         entry.is_letter.then_some(entry)
     }
 
@@ -157,7 +152,7 @@ fn take(source: Source, reading: Reading, layer: usize, found: &mut BTreeMap<(St
         let upto = lowered.name_span.start.min(source.text.len());
         line += source.text.as_bytes()[walked..upto].iter().filter(|b| **b == b'\n').count();
         walked = upto;
-        let key = (lowered.sign.language.to_lowercase(), fold_name(&lowered.sign.name));
+        let key = (lowered.sign.language.to_lowercase(), fold(&lowered.sign.name));
         if let Some(first) = found.get(&key) {
             let fault = Diagnostic::fault(lowered.name_span, format!("`{}` is described twice", lowered.sign.name));
             let fault = fault.label("the second").hint(format!("the first is {}:{}", first.path, first.line));

@@ -2,6 +2,7 @@
 
 use crate::diagnostics::{Diagnostic, Source, Span};
 use serde::de::DeserializeOwned;
+use unicode_normalization::UnicodeNormalization;
 
 /// Reads a RON table.
 ///
@@ -15,6 +16,19 @@ pub fn read_table<T: DeserializeOwned>(source: &Source) -> Result<T, Diagnostic>
         let span = Span::new(offset(error.span.start), offset(error.span.end));
         Diagnostic::fault(span, format!("this is not a table of the expected form: {}", error.code)).label("here")
     })
+}
+
+/// The form in which names are compared: NFC, lower case.
+///
+/// ```
+/// use chereme::phonology::grammar::fold;
+/// assert_eq!(fold("E\u{301}TE\u{301}"), fold("été"));
+/// ```
+pub fn fold(name: &str) -> String {
+    if name.is_ascii() {
+        return name.to_ascii_lowercase();
+    }
+    name.nfc().flat_map(char::to_lowercase).nfc().collect()
 }
 
 /// The byte offset of a line and a column (both from 1, in characters).

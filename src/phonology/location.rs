@@ -10,12 +10,12 @@
 //! A table is refused with all its faults at once where a name, tag or symbol stands twice, a symbol is not a
 //! hexadecimal code point, a kind names an unknown part, or a width is negative or not a number.
 
+use super::grammar::fold;
 use super::hand::{Digit, HandPart};
 use super::location_table;
 use super::placement::Distance;
 use crate::diagnostics::{Diagnostic, Source};
 use std::collections::HashMap;
-use unicode_normalization::UnicodeNormalization;
 
 /// What sort of place a location is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -110,7 +110,7 @@ impl LocationInventory {
     pub fn overridden_by(&self, other: &LocationInventory) -> Result<LocationInventory, Vec<String>> {
         let mut rows = self.rows.clone();
         for row in &other.rows {
-            match rows.iter_mut().find(|r| key(&r.id) == key(&row.id)) {
+            match rows.iter_mut().find(|r| fold(&r.id) == fold(&row.id)) {
                 Some(old) => *old = row.clone(),
                 None => rows.push(row.clone()),
             }
@@ -118,7 +118,7 @@ impl LocationInventory {
         let mut clashes = Vec::new();
         for (i, a) in rows.iter().enumerate() {
             for b in &rows[..i] {
-                for name in a.names().filter(|n| b.names().any(|m| key(m) == key(n))) {
+                for name in a.names().filter(|n| b.names().any(|m| fold(m) == fold(n))) {
                     clashes.push(format!("\"{name}\" names both the place {} and the place {}", b.id, a.id));
                 }
                 if a.tag == b.tag || a.symbol == b.symbol {
@@ -131,13 +131,13 @@ impl LocationInventory {
 
     fn of(rows: Vec<Location>) -> LocationInventory {
         let by_name =
-            rows.iter().enumerate().flat_map(|(i, row)| row.names().map(move |name| (key(name), i))).collect();
+            rows.iter().enumerate().flat_map(|(i, row)| row.names().map(move |name| (fold(name), i))).collect();
         LocationInventory { rows, by_name }
     }
 
     /// The place of that id or alias, in any case.
     pub fn get(&self, name: &str) -> Option<&Location> {
-        self.by_name.get(&key(name)).map(|&i| &self.rows[i])
+        self.by_name.get(&fold(name)).map(|&i| &self.rows[i])
     }
 
     /// The place of that HamNoSys tag (`hamchest`).
@@ -166,9 +166,4 @@ impl Location {
     pub fn names(&self) -> impl Iterator<Item = &str> {
         std::iter::once(self.id.as_str()).chain(self.aliases.iter().map(String::as_str))
     }
-}
-
-/// The form in which names are compared.
-pub(super) fn key(name: &str) -> String {
-    name.nfc().flat_map(char::to_lowercase).nfc().collect()
 }

@@ -1,8 +1,9 @@
 //! The rows of `grammar/locations.ron` as they are written, and the checks that make them locations.
 
+use super::grammar::fold;
 use super::grammar::read_table;
 use super::hand::{Digit, HandPart};
-use super::location::{Location, LocationKind, key};
+use super::location::{Location, LocationKind};
 use super::placement::Distance;
 use crate::diagnostics::{Diagnostic, Source, Span};
 use serde::Deserialize;
@@ -88,7 +89,7 @@ impl<'a> Check<'a> {
 
     /// Notes a name, tag or symbol; a fault where it was met before.
     fn unique(&mut self, what: &str, text: &str, span: Span) {
-        let name = format!("{what} {}", key(text));
+        let name = format!("{what} {}", fold(text));
         match self.seen.get(&name).copied() {
             Some(first) => self.faults.push(
                 Diagnostic::fault(span, format!("the {what} \"{text}\" stands twice"))

@@ -10,9 +10,9 @@ use crate::body::landmarks::ContactPoint;
 use crate::body::signer::Signer;
 use crate::diagnostics::Error;
 use crate::motion::clip::Frame;
-use crate::motion::easing::slerp;
 use crate::motion::pose::{LocalPose, ModelPose};
 use crate::motion::rotation::{continuous, twist_angle};
+use crate::motion::short_arc::ShortArc;
 use crate::motion::skeleton::JointId;
 use crate::phonology::handshape::HandAngles;
 use crate::phonology::{Configuration, Movement, NonManualValue, Place, Side, Sign};
@@ -286,31 +286,32 @@ impl Writer<'_> {
         let loose = self.fingers(plan.side, &self.relaxed);
         let shapes: Vec<Fingers> = plan.keys.iter().map(|k| self.fingers(plan.side, &k.angles)).collect();
         let joints = self.signer.hand(plan.side).joints();
-        let blend = |a: &Fingers, b: &Fingers, w: f64| -> Fingers {
-            if w <= 0.0 {
-                *a
-            } else if w >= 1.0 {
-                *b
-            } else {
-                std::array::from_fn(|j| if a[j] == b[j] { a[j] } else { slerp(a[j], b[j], w) })
-            }
-        };
+        let arcs = |a: &Fingers, b: &Fingers| -> [ShortArc; 15] { std::array::from_fn(|j| ShortArc::new(a[j], b[j])) };
+        let along = |arcs: &[ShortArc; 15], w: f64| -> Fingers { std::array::from_fn(|j| arcs[j].eased(easing, w)) };
         let last = first + instants.len() - 1;
-        let end_shape = match instants.last() {
-            Some(now) => blend(&shapes[now.key], &shapes[(now.key + 1).min(shapes.len() - 1)], now.done),
-            None => loose,
+        // A key's shape, and the way to the next one's.
+        let changes: Vec<[ShortArc; 15]> =
+            (0..shapes.len()).map(|k| arcs(&shapes[k], &shapes[(k + 1).min(shapes.len() - 1)])).collect();
+        let formed = |now: &Instant| match now.done {
+            d if d <= 0.0 => shapes[now.key],
+            d if d >= 1.0 => shapes[(now.key + 1).min(shapes.len() - 1)],
+            d => along(&changes[now.key], d),
         };
+        let there = arcs(&loose, &shapes[0]);
+        let back = instants.last().map(|now| arcs(&formed(now), &loose));
         for (i, pose) in poses.iter_mut().enumerate() {
             let time = i as f64 / fps;
             let mut fingers = if i < first {
                 let share = (time - timeline.start) / (timeline.stroke - timeline.start) / lead;
-                blend(&loose, &shapes[0], easing.weight(share))
+                if share <= 0.0 { loose } else { along(&there, easing.weight(share)) }
             } else if i <= last {
-                let now = &instants[i - first];
-                blend(&shapes[now.key], &shapes[(now.key + 1).min(shapes.len() - 1)], now.done)
+                formed(&instants[i - first])
             } else {
                 let share = (time - timeline.hold_end) / (timeline.retracted - timeline.hold_end);
-                blend(&end_shape, &loose, easing.weight(share))
+                match &back {
+                    Some(back) if share < 1.0 => along(back, easing.weight(share)),
+                    _ => loose,
+                }
             };
             if i >= first
                 && i <= last
@@ -343,18 +344,24 @@ impl Writer<'_> {
         let rotations = |pose: &LocalPose| joints.map(|j| pose.rotation(j));
         let (start, end) = (rotations(&poses[first]), rotations(&poses[last]));
         let neutral = rotations(&self.neutral);
+        let there: [ShortArc; 4] = std::array::from_fn(|j| ShortArc::new(neutral[j], start[j]));
+        let back: [ShortArc; 4] = std::array::from_fn(|j| ShortArc::new(end[j], neutral[j]));
         let (begun, ended) = (first as f64 / fps, last as f64 / fps);
         for (i, pose) in poses.iter_mut().enumerate() {
             let time = i as f64 / fps;
-            let (from, to, share) = if i < first {
-                (&neutral, &start, (time - timeline.start) / (begun - timeline.start).max(1e-9))
+            let (arcs, share) = if i < first {
+                (&there, (time - timeline.start) / (begun - timeline.start).max(1e-9))
             } else if i > last {
-                (&end, &neutral, (time - ended) / (timeline.retracted - ended).max(1e-9))
+                (&back, (time - ended) / (timeline.retracted - ended).max(1e-9))
             } else {
                 continue;
             };
+            // Before the preparation and after the retraction the arm hangs still.
+            let still = if i < first { share <= 0.0 } else { share >= 1.0 };
+            let weight = self.options.easing.weight(share);
             for (j, joint) in joints.iter().enumerate() {
-                pose.set(*joint, self.options.easing.ease_rotation(from[j], to[j], share.clamp(0.0, 1.0)));
+                let rotation = if still { neutral[j] } else { arcs[j].eased(self.options.easing, weight) };
+                pose.set(*joint, rotation);
             }
             let twist = twist_angle(pose.rotation(arm.hand), arm.rest.fore());
             arm.write_twist(twist, pose);

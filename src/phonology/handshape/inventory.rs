@@ -3,17 +3,49 @@
 use super::row::{Level, Row, Table};
 use super::shape::Handshape;
 use crate::diagnostics::{Diagnostic, Error, Source, Span};
-use crate::phonology::grammar::read_table;
+use crate::phonology::grammar::{fold, read_table};
 use crate::phonology::{Configuration, HandPoint};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, HashMap};
 use std::fmt;
-use unicode_normalization::UnicodeNormalization;
 
 /// All handshapes.
 #[derive(Debug, Clone, Default)]
 pub struct HandshapeInventory {
     levels: BTreeMap<String, Level>,
     shapes: Vec<Handshape>,
+    index: Index,
+}
+
+/// Which shapes answer to a folded name: as their id, as an alias in full, as an alias without its language.
+#[derive(Debug, Clone, Default)]
+struct Index {
+    ids: HashMap<String, Vec<usize>>,
+    aliases: HashMap<String, Vec<usize>>,
+    letters: HashMap<String, Vec<usize>>,
+}
+
+impl Index {
+    fn of(shapes: &[Handshape]) -> Index {
+        let mut index = Index::default();
+        for (i, shape) in shapes.iter().enumerate() {
+            index.ids.entry(fold(&shape.id)).or_default().push(i);
+            for alias in &shape.aliases {
+                push_new(index.aliases.entry(fold(alias)).or_default(), i);
+                if let Some((language, letter)) = alias.split_once(' ')
+                    && is_language(language)
+                {
+                    push_new(index.letters.entry(fold(letter)).or_default(), i);
+                }
+            }
+        }
+        index
+    }
+}
+
+fn push_new(all: &mut Vec<usize>, i: usize) {
+    if all.last() != Some(&i) {
+        all.push(i);
+    }
 }
 
 /// Why a name gives no handshape.
@@ -94,12 +126,14 @@ impl HandshapeInventory {
                 Err((word, message)) => faults.push(Diagnostic::fault(span_of(source, &word, span.start), message)),
             }
         }
+        self.index = Index::of(&self.shapes);
         faults.extend(self.aliases_given_twice(source, &table.handshapes));
         if faults.is_empty() { Ok(self) } else { Err(faults) }
     }
 
     fn put(&mut self, shape: Handshape) {
-        match self.shapes.iter_mut().find(|s| fold(&s.id) == fold(&shape.id)) {
+        let id = fold(&shape.id);
+        match self.shapes.iter_mut().find(|s| fold(&s.id) == id) {
             Some(old) => *old = shape,
             None => self.shapes.push(shape),
         }
@@ -111,10 +145,11 @@ impl HandshapeInventory {
         for row in rows {
             let from = span_of(source, &row.id, 0).start;
             for alias in &row.aliases {
-                let other = self
-                    .shapes
-                    .iter()
-                    .find(|s| fold(&s.id) != fold(&row.id) && (s.names().any(|name| fold(name) == fold(alias))));
+                let folded = fold(alias);
+                let own = fold(&row.id);
+                let answering =
+                    [&self.index.ids, &self.index.aliases].into_iter().filter_map(|names| names.get(&folded));
+                let other = answering.flatten().map(|i| &self.shapes[*i]).find(|s| fold(&s.id) != own);
                 if let Some(other) = other {
                     let message = format!("`{alias}` is a name of `{}` as well", other.id);
                     faults.push(Diagnostic::fault(span_of(source, alias, from), message));
@@ -148,25 +183,19 @@ impl HandshapeInventory {
     /// ```
     pub fn find(&self, name: &str, language: Option<&str>) -> Result<&Handshape, NotFound> {
         let wanted = fold(name);
-        let in_language = language.map(|l| fold(&format!("{l} {name}")));
-        let by = |test: &dyn Fn(&Handshape) -> bool| self.shapes.iter().filter(|s| test(s)).collect::<Vec<_>>();
-        if let Some(full) = in_language
-            && let [shape] = by(&|s| s.aliases.iter().any(|a| fold(a) == full))[..]
-        {
+        let one = |names: &HashMap<String, Vec<usize>>, name: &str| match names.get(name).map(Vec::as_slice) {
+            Some([i]) => Some(&self.shapes[*i]),
+            _ => None,
+        };
+        let in_language = language.and_then(|l| one(&self.index.aliases, &fold(&format!("{l} {name}"))));
+        let named = in_language.or_else(|| one(&self.index.ids, &wanted)).or_else(|| one(&self.index.aliases, &wanted));
+        if let Some(shape) = named.or_else(|| one(&self.index.letters, &wanted)) {
             return Ok(shape);
         }
-        if let [shape] = by(&|s| fold(&s.id) == wanted)[..] {
-            return Ok(shape);
-        }
-        if let [shape] = by(&|s| s.aliases.iter().any(|a| fold(a) == wanted))[..] {
-            return Ok(shape);
-        }
-        let letter = |a: &String| a.split_once(' ').is_some_and(|(l, rest)| is_language(l) && fold(rest) == wanted);
-        match by(&|s| s.aliases.iter().any(letter))[..] {
-            [shape] => Ok(shape),
-            [] => Err(NotFound::Unknown { name: name.to_owned(), nearest: self.nearest(&wanted) }),
-            ref several => {
-                let ids = several.iter().map(|s| s.id.clone()).collect();
+        match self.index.letters.get(&wanted) {
+            None => Err(NotFound::Unknown { name: name.to_owned(), nearest: self.nearest(&wanted) }),
+            Some(several) => {
+                let ids = several.iter().map(|i| self.shapes[*i].id.clone()).collect();
                 Err(NotFound::Ambiguous { name: name.to_owned(), ids })
             }
         }
@@ -197,11 +226,6 @@ impl Handshape {
 /// Whether a word is the short name of a language, as aliases write it: capitals only.
 fn is_language(word: &str) -> bool {
     word.len() >= 2 && word.chars().all(char::is_uppercase)
-}
-
-/// The form in which names are compared: NFC, lower case.
-fn fold(name: &str) -> String {
-    name.nfc().flat_map(char::to_lowercase).collect()
 }
 
 /// How many letters must be changed, added or left out (Levenshtein 1966).
