@@ -99,7 +99,7 @@ fn solve(hand: &HandSkin, shape: &Handshape) -> Solved {
     let mut tried: Vec<(f64, [f64; 21])> =
         starts.into_iter().map(|x| least_squares::solve(&goals, goals.clamp(x), 10)).collect();
     tried.sort_by(|a, b| a.0.total_cmp(&b.0));
-    let finished = tried.into_iter().take(3).map(|(_, x)| least_squares::solve(&goals, x, 25));
+    let finished = tried.into_iter().take(3).map(|(_, x)| least_squares::solve(&goals, x, 40));
     let (_, x) = finished.min_by(|a, b| a.0.total_cmp(&b.0)).unwrap_or((0.0, table));
     let angles = report::rounded(&goals.hand_angles(x));
     Solved { angles, residual_mm: (hand.pose(&angles).residual_mm(&shape.thumb) * 10.0).round() / 10.0 }

@@ -22,6 +22,7 @@ mkdirSync(out, { recursive: true });
 /** The page, the avatar and three.js; the loader's own imports name folders that are flat here. */
 function bytes(url) {
   if (url === '/') return ['text/html', readFileSync(path.join(here, 'handshapes.html'))];
+  if (url === '/favicon.ico') return ['image/x-icon', ' '];
   if (url === '/avatar.glb') return ['model/gltf-binary', readFileSync(path.join(assets, 'avatar.glb'))];
   const name = /^\/(?:vendor|utils)\/([\w.]+\.js)$/.exec(url)?.[1];
   return name ? ['text/javascript', readFileSync(path.join(assets, 'viewer/vendor', name))] : null;

@@ -38,7 +38,7 @@ impl<'a> Goals<'a> {
             _ => false,
         };
         let closed = (0..4).filter(|i| shape.flexion[*i] == "closed" && !inside && !covered(*i));
-        let places = closed.flat_map(|i| [(i, 0.75, 0.5), (i, 0.3, 0.25)]);
+        let places = closed.flat_map(|i| [(i, 0.75, 0.4), (i, 0.3, 0.12)]);
         let closed = places.filter_map(|(i, share, weight)| {
             hand.finger_patch(Digit::FINGERS[i], 2, share, -DVec3::Y).map(|patch| (patch, weight))
         });
@@ -86,10 +86,10 @@ impl<'a> Goals<'a> {
             rows.push(((q - p).dot(n) * 1000.0 - 0.3) * weight);
         }
         for (patch, weight) in &self.closed {
-            rows.push((posed.above_mm(posed.middle(patch).0, &self.palm) - 0.2) * weight);
+            rows.push((posed.above_mm(posed.middle(patch).0, &self.palm) - 0.5) * weight);
         }
         if let Some((backs, other)) = &self.crossing {
-            rows.extend(backs.iter().map(|b| (distance_mm(&posed, posed.middle(b).0, other) - 1.0) * 0.6));
+            rows.extend(backs.iter().map(|b| (distance_mm(&posed, posed.middle(b).0, other) - 2.0).max(0.0) * 0.5));
         }
         self.near_the_table(x, &mut rows);
         rows
@@ -136,7 +136,8 @@ impl<'a> Goals<'a> {
                 };
                 rows.extend((facing * weight).to_array());
                 if targets.len() > 1 || part == ThumbPart::Joint {
-                    rows.extend(targets.iter().map(|t| posed.above_mm(posed.middle(t).0, thumb.vertices()) * 1.2));
+                    let reach = |t: &Patch| distance_mm(posed, posed.middle(t).0, thumb.vertices()) - 1.0;
+                    rows.extend(targets.iter().map(|t| reach(t).max(0.0)));
                 }
             }
             ThumbGoal::Posture(_) => {}
@@ -151,9 +152,10 @@ impl<'a> Goals<'a> {
         let free_thumb = matches!(self.shape.thumb, ThumbGoal::Posture(_));
         for i in 0..21 {
             let weight = match i {
-                // The middle finger is the hand's axis; a thumb alongside must not draw the others over.
-                5 => 0.6,
-                1 if straight_thumb => 0.6,
+                // The stretched middle finger is the hand's axis; a thumb alongside must not draw the others over,
+                // and crossed fingers stay crossed.
+                5 if table[4] < 0.3 => 0.6,
+                1 if straight_thumb || self.crossing.is_some() => 0.6,
                 0..16 => 0.12,
                 _ if free_thumb => 0.5,
                 19.. if straight_thumb => 0.3,

@@ -24,7 +24,7 @@ pub fn solve(goals: &Goals, start: [f64; N], iterations: usize) -> (f64, [f64; N
             let found = goals.residuals(tried);
             let tried_cost = squares(&found);
             if tried_cost < cost {
-                improved = cost - tried_cost > 1e-4 * cost;
+                improved = cost - tried_cost > 3e-5 * cost;
                 (x, residuals, cost) = (tried, found, tried_cost);
                 damping = (damping * 0.3).max(1e-6);
                 break;
@@ -66,9 +66,10 @@ fn normal_equations(goals: &Goals, x: [f64; N], residuals: &[f64]) -> ([[f64; N]
             }
         }
     }
-    for i in 0..N {
-        for j in 0..i {
-            normal[j][i] = normal[i][j];
+    let lower = normal;
+    for (i, row) in lower.iter().enumerate() {
+        for (above, value) in normal[..i].iter_mut().zip(row) {
+            above[i] = *value;
         }
     }
     (normal, gradient)
