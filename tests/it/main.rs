@@ -1,7 +1,7 @@
 //! One integration binary; the tree mirrors `src/`.
 mod body_hand;
-mod body_skin;
 mod body_landmarks;
+mod body_skin;
 mod format_glb;
 mod phonology_handshape;
 
