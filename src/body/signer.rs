@@ -2,7 +2,7 @@
 
 use super::arm::ArmRig;
 use super::hand::HandRig;
-use super::landmarks::Landmarks;
+use super::landmarks::{ContactPoint, Landmarks};
 use crate::diagnostics::Error;
 use crate::motion::arm::orient;
 use crate::motion::pose::{LocalPose, ModelPose};
@@ -135,6 +135,28 @@ impl Signer {
             arm.write(&solved, &mut pose);
         }
         pose
+    }
+
+    /// Where a contact point of a hand is in the hand's own axes, from the wrist, metres, for the fingers of a pose.
+    ///
+    /// A point of the arm above the wrist is as far from the wrist as at rest.
+    pub fn in_hand(&self, side: Side, contact: &ContactPoint, pose: &LocalPose) -> DVec3 {
+        let (skeleton, hand) = (&self.skeleton, self.arm(side).hand);
+        let one = |joint: JointId, offset: DVec3| {
+            let (mut point, mut at) = (offset, joint);
+            while at != hand {
+                match skeleton[at].parent {
+                    Some(parent) => {
+                        point = skeleton.offset(at) + pose.rotation(at) * point;
+                        at = parent;
+                    }
+                    None => return skeleton[joint].rest_model + offset - skeleton[hand].rest_model,
+                }
+            }
+            point
+        };
+        let parts = contact.parts();
+        parts.iter().map(|part| one(part.joint, part.offset)).sum::<DVec3>() / parts.len() as f64
     }
 
     /// Where the eyes are, model space: between them, or the head's joint where the rig has none.

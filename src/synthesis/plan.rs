@@ -2,14 +2,14 @@
 
 use super::anchor::Anchor;
 use super::legs::{Leg, LegEnd, change, lay_out};
-use super::reach::{natural_rotation, strain};
+use super::reach::{from_outside, natural_rotation, strain};
 use super::symmetry::{Resolved, acts, points, resolve};
 use super::{Grammar, side_of};
 use crate::body::landmarks::ContactPoint;
 use crate::body::signer::Signer;
 use crate::diagnostics::Error;
 use crate::motion::easing::slerp;
-use crate::motion::pose::ModelPose;
+use crate::motion::pose::{LocalPose, ModelPose};
 use crate::motion::rotation::{angle_between, to_vector};
 use crate::phonology::handshape::HandAngles;
 use crate::phonology::{
@@ -45,6 +45,16 @@ pub struct KeyPosture {
     pub anchor: Option<Anchor>,
 }
 
+/// What a hand has to reach at a key: where its shoulder is, where its contact point should be (model space), and where
+/// that point is in the hand, from the wrist; metres.
+struct Reach {
+    shoulder: DVec3,
+    point: DVec3,
+    offset: DVec3,
+    /// Out of the skin that is touched.
+    outward: Option<DVec3>,
+}
+
 /// A leg with where it starts and ends.
 #[derive(Debug, Clone)]
 pub struct PlacedLeg {
@@ -71,6 +81,8 @@ pub struct HandPlan {
     pub start: Anchor,
     /// Whether its places depend on the other hand.
     pub on_other_hand: bool,
+    /// Whether the description says nothing of its orientation.
+    pub free_hand: bool,
 }
 
 /// What plans are made with.
@@ -119,7 +131,10 @@ impl Planner<'_> {
         }
         let start = keys[0].anchor.clone().map_or_else(|| self.default_place(sign, side), Ok)?;
         let legs = self.legs(sign, hand, &said, &keys, &start, &mut on_other_hand)?;
-        Ok(HandPlan { side, keys, legs, start, on_other_hand })
+        // A hand that touches the body comes from outside; elsewhere it may follow the forearm.
+        let touching = said.placement.iter().any(|(_, p)| self.outward(p, side).is_some());
+        let free_hand = said.orientation.is_empty() && !touching;
+        Ok(HandPlan { side, keys, legs, start, on_other_hand, free_hand })
     }
 
     fn posture(
@@ -174,20 +189,27 @@ impl Planner<'_> {
         let with = with.map_or_else(|| self.own_point(configuration, sign, side, touching), Ok)?;
         let orientation = said.orientation.at(key).copied().unwrap_or_default();
         let place = anchor.as_ref().map(|a| a.position(self.neutral));
+        let shoulder = self.neutral.position(self.signer.arm(side).upper);
+        let mut shaped = LocalPose::rest(&self.signer.skeleton);
+        self.signer.hand(side).apply(&angles, &mut shaped);
+        let reach = Reach {
+            shoulder,
+            point: place.unwrap_or(shoulder + DVec3::new(0.0, -0.1, 0.35)),
+            offset: self.signer.in_hand(side, &with, &shaped),
+            outward: stated.and_then(|p| self.outward(p, side)),
+        };
         let rotation = match before {
             Some(b) if said.orientation.stated(key).is_none() => b.rotation,
-            _ => self.rotation(side, &orientation, place, before.map(|b| b.rotation)),
+            _ => self.rotation(side, &orientation, &reach, before.map(|b| b.rotation)),
         };
-        let via = before.and_then(|b| self.via(side, b.rotation, rotation, place));
+        let via = before.and_then(|b| self.via(side, b.rotation, rotation, &reach));
         Ok(KeyPosture { angles, rotation, via, along_path: orientation.along_path, with, anchor })
     }
 
     /// The hand's rotation at a key. What is not stated stays as it was, or is what strains the wrist least.
-    fn rotation(&self, side: Side, said: &Orientation, place: Option<DVec3>, before: Option<DQuat>) -> DQuat {
+    fn rotation(&self, side: Side, said: &Orientation, reach: &Reach, before: Option<DQuat>) -> DQuat {
         let arm = self.signer.arm(side);
         let (fingers, palm) = (said.fingers.map(|h| h.vector()), said.palm.map(|h| h.vector()));
-        let shoulder = self.neutral.position(arm.upper);
-        let point = place.unwrap_or(shoulder + DVec3::new(0.0, -0.1, 0.35));
         if let (Some(f), Some(p)) = (fingers, palm)
             && let Some(rotation) = arm.hand_rotation(f, p)
         {
@@ -200,22 +222,23 @@ impl Planner<'_> {
                 return rotation;
             }
         }
-        natural_rotation(arm, shoulder, point, DQuat::IDENTITY, fingers, palm)
+        match (fingers, palm, reach.outward) {
+            (None, None, Some(outward)) => from_outside(arm, reach.shoulder, reach.point, reach.offset, outward),
+            _ => natural_rotation(arm, reach.shoulder, reach.point, reach.offset, fingers, palm),
+        }
     }
 
     /// The middle of a wide turn: of the two ways about the same axis the one that strains the wrist less.
-    fn via(&self, side: Side, from: DQuat, to: DQuat, place: Option<DVec3>) -> Option<DQuat> {
+    fn via(&self, side: Side, from: DQuat, to: DQuat, reach: &Reach) -> Option<DQuat> {
         if angle_between(from, to) < WIDE_TURN {
             return None;
         }
         let arm = self.signer.arm(side);
-        let shoulder = self.neutral.position(arm.upper);
-        let point = place.unwrap_or(shoulder + DVec3::new(0.0, -0.1, 0.35));
         let short = slerp(from, to, 0.5);
         // The same turn the other way round has its middle half a turn away.
         let axis = to_vector(to * from.inverse()).try_normalize()?;
         let long = DQuat::from_axis_angle(axis, std::f64::consts::PI) * short;
-        let strained = |q: DQuat| strain(arm, shoulder, point, DQuat::IDENTITY, q);
+        let strained = |q: DQuat| strain(arm, reach.shoulder, reach.point, reach.offset, q);
         (strained(long) < strained(short)).then_some(long)
     }
 
@@ -225,6 +248,14 @@ impl Planner<'_> {
         let point = if touching { Some(self.grammar.touches_with(shape, sign)?) } else { palm };
         let point = point.ok_or_else(|| Error::new("a palm has no digits"))?;
         self.signer.landmarks.hand_point(side, point)
+    }
+
+    /// Out of the skin where a placement touches the body, model space.
+    fn outward(&self, placement: &Placement, side: Side) -> Option<DVec3> {
+        let Place::Body(name) = &placement.place else { return None };
+        let row = self.grammar.locations.get(name).filter(|row| row.id != "neutral" && self.touches(placement))?;
+        let lateral = placement.lateral.or(row.paired.then_some(Lateral { side, beside: false }));
+        Some(self.signer.landmarks.body_place(&row.id, lateral).ok()?.normal(self.neutral))
     }
 
     /// Whether a placement is at or near the skin, so that what touches matters.

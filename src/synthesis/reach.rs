@@ -11,6 +11,7 @@ use crate::motion::arm::{ArmAngles, ArmHint, ArmPose, orient};
 use crate::motion::fabrik::{Options as FabrikOptions, Pole};
 use crate::motion::reach::reach;
 use crate::motion::two_bone;
+use crate::phonology::Direction;
 use glam::{DQuat, DVec3};
 
 /// Where a hand should be at one frame, model space.
@@ -60,6 +61,8 @@ pub struct ReachOptions {
     pub clavicle: bool,
     /// Frames between the knots at which the swivel is chosen.
     pub knot_every: usize,
+    /// The description leaves the hand's rotation open: the hand follows the forearm.
+    pub free_hand: bool,
 }
 
 /// Beyond this share of the arm's length the clavicle helps.
@@ -93,39 +96,65 @@ pub fn follow(
 
 /// The rotation of a hand whose description leaves it open: in line with a comfortable forearm.
 ///
-/// `fingers` or `palm` may be given; the free part is the one that strains the wrist least.
+/// `point` is where the contact point should be, `offset` where it is in the hand, from the wrist; metres. `fingers`
+/// or `palm` may be given; the free part is the one that strains the wrist least.
 pub fn natural_rotation(
     arm: &ArmRig,
     shoulder: DVec3,
     point: DVec3,
-    trunk: DQuat,
+    offset: DVec3,
     fingers: Option<DVec3>,
     palm: Option<DVec3>,
 ) -> DQuat {
+    let trunk = DQuat::IDENTITY;
     let place = |fingers: DVec3, palm: DVec3| arm.hand_rotation(fingers, palm);
     let candidates: Vec<DQuat> = match (fingers, palm) {
         (Some(f), Some(p)) => place(f, p).into_iter().collect(),
         (Some(f), None) => around(f).filter_map(|p| place(f, p)).collect(),
         (None, Some(p)) => around(p).filter_map(|f| place(f, p)).collect(),
         (None, None) => {
-            let elbow = elbow_at(arm, shoulder, point, natural_swivel());
-            let fore = (point - elbow).normalize_or(arm.rest_fingers());
-            let solved = orient(&arm.rest, trunk, [shoulder, elbow, elbow + fore * arm.fore_m], trunk, None);
-            return (trunk * solved.upper * solved.fore).normalize();
+            let mut rotation = trunk;
+            for _ in 0..8 {
+                let wrist = point - rotation * offset;
+                let elbow = elbow_at(arm, shoulder, wrist, natural_swivel());
+                let solved = orient(&arm.rest, trunk, [shoulder, elbow, wrist], rotation, None);
+                rotation = (trunk * solved.upper * solved.fore).normalize();
+            }
+            return rotation;
         }
     };
-    let strain = |rotation: &DQuat| strain(arm, shoulder, point, trunk, *rotation);
+    let strain = |rotation: &DQuat| strain(arm, shoulder, point, offset, *rotation);
     candidates
         .into_iter()
         .min_by(|a, b| strain(a).total_cmp(&strain(b)))
         .unwrap_or_else(|| DQuat::from_rotation_arc(arm.rest_fingers(), DVec3::Z))
 }
 
+/// The rotation of a hand that touches a skin: the fingers come from outside, the wrist strains least and stays out of
+/// the trunk. `outward` is the skin's normal; the rest as in [`natural_rotation`].
+pub fn from_outside(arm: &ArmRig, shoulder: DVec3, point: DVec3, offset: DVec3, outward: DVec3) -> DQuat {
+    let cost = |rotation: &DQuat| {
+        let along = *rotation * offset.normalize_or(arm.rest_fingers());
+        let slant = (along.dot(outward) + 0.45).max(0.0);
+        let wrist = point - *rotation * offset;
+        let elbow = elbow_at(arm, shoulder, wrist, natural_swivel());
+        let inside = trunk_depth(wrist, shoulder) + trunk_depth((elbow + wrist) / 2.0, shoulder);
+        strain(arm, shoulder, point, offset, *rotation) + 3.0 * slant * slant + 40.0 * inside
+    };
+    let candidates = Direction::all().flat_map(|fingers| {
+        let fingers = fingers.vector();
+        around(fingers).filter_map(move |palm| arm.hand_rotation(fingers, palm))
+    });
+    candidates
+        .min_by(|a, b| cost(a).total_cmp(&cost(b)))
+        .unwrap_or_else(|| natural_rotation(arm, shoulder, point, offset, None, None))
+}
+
 /// How much a hand's rotation strains the wrist where the elbow hangs naturally; 0 is the middle of every range.
-pub fn strain(arm: &ArmRig, shoulder: DVec3, point: DVec3, trunk: DQuat, rotation: DQuat) -> f64 {
-    let wrist = point - rotation * (arm.rest_fingers() * 0.09);
+pub fn strain(arm: &ArmRig, shoulder: DVec3, point: DVec3, offset: DVec3, rotation: DQuat) -> f64 {
+    let wrist = point - rotation * offset;
     let elbow = elbow_at(arm, shoulder, wrist, natural_swivel());
-    let a = orient(&arm.rest, trunk, [shoulder, elbow, wrist], rotation, None).angles;
+    let a = orient(&arm.rest, DQuat::IDENTITY, [shoulder, elbow, wrist], rotation, None).angles;
     WristLimits::ANATOMICAL.scaled(0.6).excess(&a) + 0.05 * (a.twist.powi(2) + a.flexion.powi(2) + a.radial.powi(2))
 }
 
@@ -201,14 +230,23 @@ impl Chain<'_> {
 
     /// What each swivel costs at a target.
     fn costs(&self, target: &HandTarget) -> Vec<f64> {
-        let wrist = target.point - target.rotation * target.offset;
-        let (clavicle, shoulder) = self.shoulder(target, wrist);
-        let parent = target.trunk * clavicle;
         SWIVELS
             .map(|step| {
                 let swivel = f64::from(step) * SWIVEL_STEP.to_radians();
+                let mut rotation = target.rotation;
+                for _ in 0..if self.options.free_hand { 3 } else { 0 } {
+                    let wrist = target.point - rotation * target.offset;
+                    let (clavicle, shoulder) = self.shoulder(target, wrist);
+                    let elbow = elbow_at(self.arm, shoulder, wrist, swivel);
+                    let parent = target.trunk * clavicle;
+                    let solved = orient(&self.arm.rest, parent, [shoulder, elbow, wrist], rotation, None);
+                    rotation = parent * solved.upper * solved.fore;
+                }
+                let wrist = target.point - rotation * target.offset;
+                let (clavicle, shoulder) = self.shoulder(target, wrist);
+                let parent = target.trunk * clavicle;
                 let elbow = elbow_at(self.arm, shoulder, wrist, swivel);
-                let solved = orient(&self.arm.rest, parent, [shoulder, elbow, wrist], target.rotation, None);
+                let solved = orient(&self.arm.rest, parent, [shoulder, elbow, wrist], rotation, None);
                 let a = &solved.angles;
                 let hard = WristLimits::ANATOMICAL.excess(a);
                 let soft = WristLimits::ANATOMICAL.scaled(0.65).excess(a);
@@ -223,6 +261,18 @@ impl Chain<'_> {
     fn solve(&self, target: &HandTarget, swivel: f64, hint: Option<ArmHint>) -> ArmFrame {
         let mut rotation = target.rotation;
         let mut frame = self.place(target, rotation, swivel, hint);
+        if self.options.free_hand {
+            // The hand in line with the forearm, and the forearm where that hand needs it: they settle together.
+            for _ in 0..12 {
+                let along = frame.parent * frame.arm.upper * frame.arm.fore;
+                let turned = crate::motion::rotation::angle_between(along, rotation);
+                rotation = along.normalize();
+                frame = self.place(target, rotation, swivel, hint);
+                if turned < 1e-4 {
+                    break;
+                }
+            }
+        }
         let wanted = frame.arm.angles;
         if let Some(limits) = self.options.limits {
             // The hand is turned back within the wrist's limits about the contact point; a few rounds settle it.
@@ -244,7 +294,10 @@ impl Chain<'_> {
             elbow: frame.elbow,
             wrist: frame.wrist,
             residual_m: reached.distance(target.point),
-            tilt: crate::motion::rotation::angle_between(rotation, target.rotation),
+            tilt: match self.options.free_hand {
+                true => 0.0,
+                false => crate::motion::rotation::angle_between(rotation, target.rotation),
+            },
             wanted,
         }
     }

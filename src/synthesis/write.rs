@@ -13,7 +13,6 @@ use crate::motion::clip::Frame;
 use crate::motion::pose::{LocalPose, ModelPose};
 use crate::motion::rotation::{continuous, twist_angle};
 use crate::motion::short_arc::ShortArc;
-use crate::motion::skeleton::JointId;
 use crate::phonology::handshape::HandAngles;
 use crate::phonology::{Configuration, Movement, NonManualValue, Place, Side, Sign};
 use crate::time::{FrameIndex, Seconds};
@@ -184,7 +183,7 @@ impl Writer<'_> {
             .map(|(n, now)| {
                 let model = models.get(n).and_then(|m| m.as_ref()).or(still.as_ref()).unwrap_or(self.planner.neutral);
                 let rotation = now.rotation(plan, model);
-                let offset = self.offset(plan, now, arm.hand, &poses[first + n]);
+                let offset = self.offset(plan, now, &poses[first + n]);
                 let point = now.point(plan, model);
                 let played = (rotation * now.play(plan)).normalize();
                 HandTarget {
@@ -201,6 +200,7 @@ impl Writer<'_> {
         let options = ReachOptions {
             limits: limits(self.options),
             clavicle: !self.options.paper,
+            free_hand: plan.free_hand,
             knot_every: (fps * 0.15).round().max(1.0) as usize,
         };
         let solved = follow(arm, skeleton.offset(arm.upper), &targets, &options);
@@ -245,30 +245,10 @@ impl Writer<'_> {
     }
 
     /// The contact point in the hand's axes, from the wrist, for the fingers as they are now.
-    fn offset(&self, plan: &HandPlan, now: &Instant, hand: JointId, pose: &LocalPose) -> DVec3 {
+    fn offset(&self, plan: &HandPlan, now: &Instant, pose: &LocalPose) -> DVec3 {
         let (a, b) = (&plan.keys[now.key], &plan.keys[(now.key + 1).min(plan.keys.len() - 1)]);
-        let of = |contact: &ContactPoint| self.in_hand(contact, hand, pose);
+        let of = |contact: &ContactPoint| self.signer.in_hand(plan.side, contact, pose);
         if a.with == b.with { of(&a.with) } else { of(&a.with).lerp(of(&b.with), now.done.clamp(0.0, 1.0)) }
-    }
-
-    fn in_hand(&self, contact: &ContactPoint, hand: JointId, pose: &LocalPose) -> DVec3 {
-        let skeleton = &self.signer.skeleton;
-        let one = |joint: JointId, offset: DVec3| {
-            let (mut point, mut at) = (offset, joint);
-            while at != hand {
-                match skeleton[at].parent {
-                    Some(parent) => {
-                        point = skeleton.offset(at) + pose.rotation(at) * point;
-                        at = parent;
-                    }
-                    // A point of the arm above the wrist: as far from the wrist as at rest.
-                    None => return skeleton[joint].rest_model + offset - skeleton[hand].rest_model,
-                }
-            }
-            point
-        };
-        let parts = contact.parts();
-        parts.iter().map(|part| one(part.joint, part.offset)).sum::<DVec3>() / parts.len() as f64
     }
 
     /// The fingers of every frame: formed early on the way there, changed with the stroke, loosened on the way back.

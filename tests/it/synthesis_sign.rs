@@ -152,6 +152,21 @@ fn contact_points_are_within_5_mm_of_their_landmark() {
     assert!(checked >= 20, "only {checked} contacts were found to check");
 }
 
+/// Every place touched by the tip of the index finger: the picture of places is made from the same file.
+#[test]
+fn every_place_is_touched_by_the_index_finger() {
+    let text = include_str!("../suite/synthesis/places.sign");
+    let reading = chereme::notation::read(text, &world().vocabulary, "test");
+    assert_eq!(reading.diagnostics, []);
+    assert_eq!(reading.signs.len(), 44, "the 44 locations of HamNoSys");
+    let checked: usize = reading.signs.iter().map(|s| check_contacts(&s.sign).0).sum();
+    assert_eq!(checked, 43, "all but neutral space are on the skin");
+    for sign in &reading.signs {
+        let report = perform(&sign.sign).report;
+        assert!(report.residual_m < 5e-3, "{}: {:?}", sign.sign.name, report.warnings);
+    }
+}
+
 fn check_contacts(sign: &Sign) -> (usize, f64) {
     let world = world();
     let (landmarks, grammar) = (&world.signer.landmarks, &world.grammar);
