@@ -26,5 +26,6 @@ mod phonology_tables;
 mod shared;
 mod signing;
 mod strategies;
+mod synthesis_face;
 mod synthesis_path;
 mod synthesis_sign;
