@@ -29,6 +29,9 @@ pub struct Signer {
     eyes: [Option<JointId>; 2],
 }
 
+/// Shoulders at rest hang a little lower than in the rig's T-pose, radians.
+const SHOULDER_AT_REST: f64 = -4.0 * std::f64::consts::PI / 180.0;
+
 /// Turns of head, trunk or eyes: pitch (+ forward or down), yaw (+ left), roll (+ left), radians.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Turn {
@@ -108,16 +111,20 @@ impl Signer {
         }
     }
 
-    /// Lifts a shoulder by the clavicle, radians.
+    /// Lifts a shoulder by the clavicle, radians from where it rests; the arm hangs as it hung.
     pub fn raise_shoulder(&self, side: Side, angle: f64, pose: &mut LocalPose) {
-        pose.set(self.arm(side).clavicle, DQuat::from_rotation_z(angle * side.sign()));
+        let arm = self.arm(side);
+        let before = pose.rotation(arm.clavicle);
+        let raised = DQuat::from_rotation_z((SHOULDER_AT_REST + angle) * side.sign());
+        pose.set(arm.clavicle, raised);
+        pose.set(arm.upper, (raised.inverse() * before * pose.rotation(arm.upper)).normalize());
     }
 
     /// How the signer stands before and after signing: arms hanging, hands loose, `relaxed` fingers.
     pub fn neutral(&self, relaxed: &HandAngles) -> LocalPose {
         let mut pose = LocalPose::rest(&self.skeleton);
         for side in [Side::Left, Side::Right] {
-            self.raise_shoulder(side, -4f64.to_radians(), &mut pose);
+            self.raise_shoulder(side, 0.0, &mut pose);
             self.hand(side).apply(relaxed, &mut pose);
         }
         let model = pose.to_model(&self.skeleton);
