@@ -42,7 +42,7 @@ pub(super) struct Render {
     /// How joints ease between poses: sigmoid, sigmoid:K, cosine, linear, minimum-jerk, paper-cosine, paper-sigmoid
     #[arg(long, value_name = "NAME", default_value = "sigmoid")]
     easing: Easing,
-    /// The paper's own procedure: no limits of the wrist, no help from the shoulder
+    /// The paper's own procedure: the wrist is placed, it has no limits, the shoulder does not help
     #[arg(long)]
     paper: bool,
     /// Overwrite files that are there

@@ -77,7 +77,8 @@ pub struct Options {
     pub easing: Easing,
     /// 2 is twice as fast.
     pub speed: f64,
-    /// The paper's own procedure where ours departs from it: no limits, no help from the clavicle.
+    /// The paper's own procedure where ours departs from it: the wrist is placed, not the contact point; no limits, no
+    /// help from the clavicle.
     pub paper: bool,
 }
 

@@ -246,6 +246,10 @@ impl Writer<'_> {
 
     /// The contact point in the hand's axes, from the wrist, for the fingers as they are now.
     fn offset(&self, plan: &HandPlan, now: &Instant, pose: &LocalPose) -> DVec3 {
+        if self.options.paper {
+            // The paper places the wrist (Naert et al. 2021, §4).
+            return DVec3::ZERO;
+        }
         let (a, b) = (&plan.keys[now.key], &plan.keys[(now.key + 1).min(plan.keys.len() - 1)]);
         let of = |contact: &ContactPoint| self.signer.in_hand(plan.side, contact, pose);
         if a.with == b.with { of(&a.with) } else { of(&a.with).lerp(of(&b.with), now.done.clamp(0.0, 1.0)) }

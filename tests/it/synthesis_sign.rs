@@ -339,14 +339,17 @@ fn alternating_hands_are_half_a_cycle_apart() {
 }
 
 #[test]
-fn paper_mode_knows_no_limits_and_leaves_the_clavicle_alone() {
+fn paper_mode_places_the_wrist_without_limits_and_leaves_the_clavicle_alone() {
     let text =
         "sign X\n configuration flat\n placement chest, touch, with palm\n orientation fingers right, palm out\n";
     let sign = sign(text);
     let limited = perform(&sign);
     let paper = perform_with(&sign, &Options { paper: true, ..Options::default() });
     assert!(limited.report.tilt > 0.2 && paper.report.tilt < 1e-6);
-    let clavicle = world().signer.arm(Side::Right).clavicle;
+    let (clavicle, wrist) = (world().signer.arm(Side::Right).clavicle, world().signer.arm(Side::Right).hand);
+    let body = body_at(&paper, paper.report.keys[0]);
+    let chest = world().signer.landmarks.body_place("chest", None).unwrap().position(&body);
+    assert!(body.position(wrist).distance(chest) < 1e-3, "the wrist itself is at the place");
     for frame in &paper.track.clip.frames()[stroke(&paper)] {
         assert!(angle_between(frame.pose.rotation(clavicle), DQuat::IDENTITY) < 1e-9);
     }
