@@ -33,6 +33,9 @@ impl Check {
             warnings += all.iter().filter(|d| d.severity == Severity::Warning).count();
             terminal::tell(&all, &text.source);
         }
+        if signs == 0 && faults == 0 {
+            return Err(Failure::Faults(Some("there is no sign in what was read".to_owned())));
+        }
         let mut summary = format!(
             "{} in {}: {}",
             terminal::count(signs, "sound sign"),

@@ -168,3 +168,62 @@ fn help_has_examples_and_completions_come() {
     assert!(run(&here, &["completions", "bash"], "").out.contains("chereme"));
     assert_eq!(run(&here, &[], "").code, 2);
 }
+
+#[test]
+fn files_without_a_sign_are_a_fault() {
+    let folder = Folder::new("empty");
+    folder.write("a.sign", "# nothing yet\n");
+    let checked = run(&folder.0, &["check", "a.sign"], "");
+    assert_eq!(checked.code, 1);
+    assert!(checked.err.contains("no sign"), "{}", checked.err);
+}
+
+#[test]
+fn render_writes_pages_and_files_and_overwrites_nothing_unasked() {
+    let folder = Folder::new("render");
+    folder.write("bol.sign", GOOD);
+    let done = run(&folder.0, &["render", "bol.sign", "-o", "bol.html", "-o", "bol.glb"], "");
+    assert_eq!(done.code, 0, "{}", done.err);
+    assert!(done.err.contains("bol.glb"), "{}", done.err);
+    let page = fs::read_to_string(folder.0.join("bol.html")).unwrap();
+    assert!(page.starts_with("<!doctype html>") && page.contains("RH Phase") && page.contains("unverified"));
+    assert!(fs::read(folder.0.join("bol.glb")).unwrap().starts_with(b"glTF"));
+    let again = run(&folder.0, &["render", "bol.sign", "-o", "bol.glb"], "");
+    assert_eq!(again.code, 2);
+    assert!(again.err.contains("--force"), "{}", again.err);
+    assert_eq!(run(&folder.0, &["render", "bol.sign", "-o", "bol.glb", "--force", "--quiet"], "").code, 0);
+}
+
+#[test]
+fn render_says_what_it_cannot_do() {
+    let folder = Folder::new("render-faults");
+    folder.write("two.sign", &format!("{GOOD}sign CHAT\n  movement  down 10cm\n"));
+    folder.write("fast.sign", "sign FAST\n  movement  up 60cm duration 0.1s\n");
+    for (args, code, words) in [
+        (&["render", "two.sign", "-o", "x.html"][..], 2, "--sign"),
+        (&["render", "two.sign", "--sign", "CHIEN", "-o", "x.html"], 1, "CHIEN"),
+        (&["render", "two.sign", "-o", "x.bvh"], 2, ".glb"),
+        (&["render", "two.sign", "-o", "x"], 2, ".html"),
+        (&["render", "two.sign", "--sign", "CHAT", "-o", "x.html", "--fps", "0"], 2, "--fps"),
+        (&["render", "two.sign", "--sign", "CHAT", "-o", "x.html", "--speed", "nan"], 1, "speed"),
+        (&["render", "two.sign", "--sign", "CHAT", "-o", "x.html", "--easing", "wobbly"], 2, "sigmoid"),
+        (&["render", "NO-SUCH-SIGN", "-o", "x.html"], 1, "NO-SUCH-SIGN"),
+        (&["render", "fast.sign", "-o", "x.html"], 1, "more time"),
+    ] {
+        let done = run(&folder.0, args, "");
+        assert_eq!(done.code, code, "{args:?}: {}", done.err);
+        assert!(done.err.contains(words), "{args:?}: {}", done.err);
+        assert!(!folder.0.join("x.html").exists(), "{args:?} left a file");
+    }
+}
+
+#[test]
+fn render_writes_one_page_a_sign_into_a_folder() {
+    let folder = Folder::new("render-folder");
+    folder.write("two.sign", &format!("{GOOD}sign CHAT\n  movement  down 10cm\n"));
+    let done = run(&folder.0, &["render", "two.sign", "-o", "out/", "--format", "html,glb", "-q"], "");
+    assert_eq!((done.code, done.err.as_str()), (0, ""));
+    let mut names: Vec<_> = fs::read_dir(folder.0.join("out")).unwrap().map(|f| f.unwrap().file_name()).collect();
+    names.sort();
+    assert_eq!(names, ["BOL.glb", "BOL.html", "CHAT.glb", "CHAT.html"]);
+}
