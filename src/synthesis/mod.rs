@@ -8,15 +8,19 @@
 //! Model space, metres, seconds from the clip's start. The signer is right-handed: the strong hand is the right one.
 
 pub mod anchor;
+mod expression;
 pub mod face;
+mod fingers;
 pub mod legs;
 pub mod path;
 mod path_of_hand;
 pub mod plan;
 pub mod reach;
+mod site;
 pub mod symmetry;
 mod tiers;
 mod timeline;
+mod ways;
 mod write;
 
 use crate::body::arm::WristLimits;

@@ -1,6 +1,5 @@
 //! Writing a sign's frames: non-manuals, fingers, arms, and the ways from and to the neutral pose.
 
-use super::face::{self, Cue};
 use super::path_of_hand::{Instant, instant};
 use super::plan::{HandPlan, Planner, stretch};
 use super::reach::{ArmFrame, HandTarget, ReachOptions, follow};
@@ -11,13 +10,12 @@ use crate::body::signer::Signer;
 use crate::diagnostics::Error;
 use crate::motion::clip::Frame;
 use crate::motion::pose::{LocalPose, ModelPose};
-use crate::motion::rotation::{continuous, twist_angle};
-use crate::motion::short_arc::ShortArc;
+use crate::motion::rotation::continuous;
 use crate::phonology::handshape::HandAngles;
-use crate::phonology::{Configuration, Movement, NonManualValue, Place, Side, Sign};
+use crate::phonology::{Configuration, Movement, Side, Sign};
 use crate::time::{FrameIndex, Seconds};
 use crate::track::Track;
-use glam::{DQuat, DVec3};
+use glam::DVec3;
 
 /// The wrist stays under this speed, metres a second: durations that the sign leaves open grow.
 pub const WRIST_SPEED: f64 = 3.0;
@@ -69,20 +67,17 @@ fn states_its_time(sign: &Sign) -> bool {
     sign.duration.is_some() || sign.strong.movement.iter().chain(&sign.weak.movement).any(stated)
 }
 
-struct Writer<'a> {
-    sign: &'a Sign,
-    grammar: &'a Grammar,
-    signer: &'a Signer,
-    options: &'a Options,
-    planner: &'a Planner<'a>,
-    neutral: LocalPose,
-    relaxed: HandAngles,
+pub(super) struct Writer<'a> {
+    pub(super) sign: &'a Sign,
+    pub(super) grammar: &'a Grammar,
+    pub(super) signer: &'a Signer,
+    pub(super) options: &'a Options,
+    pub(super) planner: &'a Planner<'a>,
+    pub(super) neutral: LocalPose,
+    pub(super) relaxed: HandAngles,
     /// How much longer than usual preparation and retraction last.
-    slower: f64,
+    pub(super) slower: f64,
 }
-
-/// The fingers' rotations, in the order of the hand's joints.
-type Fingers = [DQuat; 15];
 
 impl Writer<'_> {
     /// The performance, and the greatest speeds of a wrist in the stroke and on the ways there and back.
@@ -253,172 +248,6 @@ impl Writer<'_> {
         let (a, b) = (&plan.keys[now.key], &plan.keys[(now.key + 1).min(plan.keys.len() - 1)]);
         let of = |contact: &ContactPoint| self.signer.in_hand(plan.side, contact, pose);
         if a.with == b.with { of(&a.with) } else { of(&a.with).lerp(of(&b.with), now.done.clamp(0.0, 1.0)) }
-    }
-
-    /// The fingers of every frame: formed early on the way there, changed with the stroke, loosened on the way back.
-    fn write_fingers(
-        &self,
-        plan: &HandPlan,
-        timeline: &Timeline,
-        instants: &[Instant],
-        first: usize,
-        poses: &mut [LocalPose],
-    ) {
-        let fps = self.options.fps.get();
-        let easing = self.options.easing;
-        let lead = self.grammar.movements.timing.handshape_lead;
-        let loose = self.fingers(plan.side, &self.relaxed);
-        let shapes: Vec<Fingers> = plan.keys.iter().map(|k| self.fingers(plan.side, &k.angles)).collect();
-        let joints = self.signer.hand(plan.side).joints();
-        let arcs = |a: &Fingers, b: &Fingers| -> [ShortArc; 15] { std::array::from_fn(|j| ShortArc::new(a[j], b[j])) };
-        let along = |arcs: &[ShortArc; 15], w: f64| -> Fingers { std::array::from_fn(|j| arcs[j].eased(easing, w)) };
-        let last = first + instants.len() - 1;
-        // A key's shape, and the way to the next one's.
-        let changes: Vec<[ShortArc; 15]> =
-            (0..shapes.len()).map(|k| arcs(&shapes[k], &shapes[(k + 1).min(shapes.len() - 1)])).collect();
-        let formed = |now: &Instant| match now.done {
-            d if d <= 0.0 => shapes[now.key],
-            d if d >= 1.0 => shapes[(now.key + 1).min(shapes.len() - 1)],
-            d => along(&changes[now.key], d),
-        };
-        let there = arcs(&loose, &shapes[0]);
-        let back = instants.last().map(|now| arcs(&formed(now), &loose));
-        for (i, pose) in poses.iter_mut().enumerate() {
-            let time = i as f64 / fps;
-            let mut fingers = if i < first {
-                let share = (time - timeline.start) / (timeline.stroke - timeline.start) / lead;
-                if share <= 0.0 { loose } else { along(&there, easing.weight(share)) }
-            } else if i <= last {
-                formed(&instants[i - first])
-            } else {
-                let share = (time - timeline.hold_end) / (timeline.retracted - timeline.hold_end);
-                match &back {
-                    Some(back) if share < 1.0 => along(back, easing.weight(share)),
-                    _ => loose,
-                }
-            };
-            if i >= first
-                && i <= last
-                && let Some(bends) = instants[i - first].wiggle(plan)
-            {
-                for (finger, bend) in bends.into_iter().enumerate() {
-                    // Joints come thumb first, three a digit; flexion is about ∓Z.
-                    let knuckle = 3 * (finger + 1);
-                    fingers[knuckle] *= DQuat::from_rotation_z(-bend * plan.side.sign());
-                }
-            }
-            for (joint, rotation) in joints.iter().zip(fingers) {
-                pose.set(*joint, rotation);
-            }
-        }
-    }
-
-    fn fingers(&self, side: Side, angles: &HandAngles) -> Fingers {
-        let hand = self.signer.hand(side);
-        let mut pose = self.neutral.clone();
-        hand.apply(angles, &mut pose);
-        hand.joints().map(|j| pose.rotation(j))
-    }
-
-    /// Eases the arm's joints from the neutral pose to the stroke and back (Naert et al. 2021, §4.2).
-    fn write_ways(&self, plan: &HandPlan, timeline: &Timeline, first: usize, last: usize, poses: &mut [LocalPose]) {
-        let fps = self.options.fps.get();
-        let arm = self.signer.arm(plan.side);
-        let joints = [arm.clavicle, arm.upper, arm.fore, arm.hand];
-        let rotations = |pose: &LocalPose| joints.map(|j| pose.rotation(j));
-        let (start, end) = (rotations(&poses[first]), rotations(&poses[last]));
-        let neutral = rotations(&self.neutral);
-        let there: [ShortArc; 4] = std::array::from_fn(|j| ShortArc::new(neutral[j], start[j]));
-        let back: [ShortArc; 4] = std::array::from_fn(|j| ShortArc::new(end[j], neutral[j]));
-        let (begun, ended) = (first as f64 / fps, last as f64 / fps);
-        for (i, pose) in poses.iter_mut().enumerate() {
-            let time = i as f64 / fps;
-            let (arcs, share) = if i < first {
-                (&there, (time - timeline.start) / (begun - timeline.start).max(1e-9))
-            } else if i > last {
-                (&back, (time - ended) / (timeline.retracted - ended).max(1e-9))
-            } else {
-                continue;
-            };
-            // Before the preparation and after the retraction the arm hangs still.
-            let still = if i < first { share <= 0.0 } else { share >= 1.0 };
-            let weight = self.options.easing.weight(share);
-            for (j, joint) in joints.iter().enumerate() {
-                let rotation = if still { neutral[j] } else { arcs[j].eased(self.options.easing, weight) };
-                pose.set(*joint, rotation);
-            }
-            let twist = twist_angle(pose.rotation(arm.hand), arm.rest.fore());
-            arm.write_twist(twist, pose);
-        }
-    }
-
-    /// Where the wrist is in every frame: as solved in the stroke, by forward kinematics of the arm elsewhere.
-    fn wrists(&self, plan: &HandPlan, solved: &[ArmFrame], first: usize, poses: &[LocalPose]) -> Vec<DVec3> {
-        let arm = self.signer.arm(plan.side);
-        let skeleton = &self.signer.skeleton;
-        let trunk = skeleton[arm.clavicle].parent.unwrap_or(arm.clavicle);
-        let model = self.planner.neutral;
-        let (base, turn) = (model.position(arm.clavicle), model.rotation(trunk));
-        (0..poses.len())
-            .map(|i| match i.checked_sub(first).and_then(|n| solved.get(n)) {
-                Some(frame) => frame.wrist,
-                None => {
-                    let (mut at, mut turned) = (base, turn * poses[i].rotation(arm.clavicle));
-                    for joint in [arm.upper, arm.fore, arm.hand] {
-                        at += turned * skeleton.offset(joint);
-                        turned *= poses[i].rotation(joint);
-                    }
-                    at
-                }
-            })
-            .collect()
-    }
-
-    fn cues(&self, timeline: &Timeline, plans: &[HandPlan]) -> Result<Vec<Cue>, Error> {
-        let model = self.planner.neutral;
-        let eyes = self.signer.gaze_origin(model);
-        let locate = |value: &NonManualValue| match value {
-            NonManualValue::Towards(heading) => Ok(Some(heading.vector())),
-            NonManualValue::At(placement) => {
-                let place = match &placement.place {
-                    // Seen from the strong hand, the other hand is the weak one.
-                    Place::OtherHand(_) => plans.iter().find(|p| p.side == Side::Left).map(|p| p.start.position(model)),
-                    _ => Some(self.planner.place(placement, self.sign)?.position(model)),
-                };
-                Ok(place.map(|p| p - eyes))
-            }
-            NonManualValue::Named(_) | NonManualValue::Mouthing(_) => Ok(None),
-        };
-        let mut cues = Vec::new();
-        for (channel, values) in &self.sign.nonmanual {
-            let expressions = &self.grammar.expressions;
-            cues.extend(face::lay_out(*channel, values, &timeline.keys, timeline.hold_end, expressions, &locate)?);
-        }
-        Ok(cues)
-    }
-
-    /// Writes the non-manuals of one instant; returns how far the shoulders are raised.
-    fn express(&self, cues: &[Cue], time: f64, pose: &mut LocalPose, weights: &mut [f32]) -> [f64; 2] {
-        let state = face::state_at(cues, time, &self.signer.morphs);
-        for (morph, weight) in state.morphs {
-            weights[morph] = (f64::from(weights[morph]) + weight).clamp(0.0, 1.0) as f32;
-        }
-        if !state.torso.is_zero() {
-            self.signer.turn_torso(state.torso, pose);
-        }
-        if !state.head.is_zero() {
-            self.signer.turn_head(state.head, pose);
-        }
-        if !state.eyes.is_zero() {
-            self.signer.turn_eyes(state.eyes, pose);
-        }
-        for side in [Side::Left, Side::Right] {
-            let angle = state.shoulders[side as usize];
-            if angle != 0.0 {
-                self.signer.raise_shoulder(side, angle, pose);
-            }
-        }
-        state.shoulders
     }
 
     fn warn(&self, report: &mut Report, stroke_speed: f64) -> Result<(), Error> {

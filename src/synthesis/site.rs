@@ -1,0 +1,122 @@
+//! Where a described placement is: names, sides and distances to points that ride on the body.
+
+use super::anchor::Anchor;
+use super::plan::Planner;
+use crate::diagnostics::Error;
+use crate::phonology::{Distance, Hands, Lateral, Place, Placement, Side, Sign, Symmetry};
+use glam::DVec3;
+
+/// How far from the middle each of two hands is that nothing else sets apart, arm lengths: 13 cm on the avatar.
+const HANDS_APART_ARMS: f64 = 0.27;
+
+impl Planner<'_> {
+    /// Out of the skin where a placement touches the body, model space.
+    pub(super) fn outward(&self, placement: &Placement, side: Side) -> Option<DVec3> {
+        let Place::Body(name) = &placement.place else { return None };
+        let row = self.grammar.locations.get(name).filter(|row| row.id != "neutral" && self.touches(placement))?;
+        let lateral = placement.lateral.or(row.paired.then_some(Lateral { side, beside: false }));
+        Some(self.signer.landmarks.body_place(&row.id, lateral).ok()?.normal(self.neutral))
+    }
+
+    /// Whether a placement is at or near the skin, so that what touches matters.
+    pub(super) fn touches(&self, placement: &Placement) -> bool {
+        let distance = match (&placement.place, placement.distance) {
+            (Place::Body(name), Distance::Unmarked) => match self.grammar.locations.get(name) {
+                Some(row) if row.id != "neutral" => row.unmarked,
+                _ => Distance::Neutral,
+            },
+            (Place::OtherHand(_), Distance::Unmarked) => Distance::Touch,
+            (Place::Between(..), Distance::Unmarked) => Distance::Touch,
+            (_, distance) => distance,
+        };
+        match distance {
+            Distance::Touch | Distance::Close => true,
+            Distance::Metres(metres) => metres < 0.06,
+            Distance::Unmarked | Distance::Neutral | Distance::Extended => false,
+        }
+    }
+
+    /// Where a place is that no hand is put at, such as one that is looked at.
+    ///
+    /// # Errors
+    /// A name that the inventory lacks; a referent that was not placed.
+    pub fn place(&self, placement: &Placement, sign: &Sign) -> Result<Anchor, Error> {
+        self.anchor(placement, sign, Side::Right, true, &mut false)
+    }
+
+    pub(super) fn default_place(&self, sign: &Sign, side: Side) -> Result<Anchor, Error> {
+        let mut ignored = false;
+        self.anchor(&Placement::at(Place::Body("neutral".into())), sign, side, false, &mut ignored)
+    }
+
+    /// Where a placement is. `meeting` hands are not set apart.
+    pub(super) fn anchor(
+        &self,
+        placement: &Placement,
+        sign: &Sign,
+        side: Side,
+        meeting: bool,
+        on_other_hand: &mut bool,
+    ) -> Result<Anchor, Error> {
+        let landmarks = &self.signer.landmarks;
+        let shoulder = self.neutral.position(landmarks.shoulder(side));
+        let metres = |unmarked: Distance, from: (DVec3, DVec3)| {
+            let reach = landmarks.arm_length();
+            let metres = landmarks.metres(placement.distance, unmarked, from, shoulder, reach);
+            // Behind a place is the far side of it: past its thickness, here a hand's length.
+            if placement.behind { -landmarks.hand_length() - metres } else { metres }
+        };
+        let anchor = match &placement.place {
+            Place::Body(name) => {
+                let row =
+                    self.grammar.locations.get(name).ok_or_else(|| Error::new(format!("no place is called {name}")))?;
+                let both = matches!(sign.hands, Hands::Both(Some(_)));
+                // Two hands before the body are a little narrower than the shoulders; on it, each is on its own side.
+                let apart = both && !meeting && placement.lateral.is_none() && !row.paired && !self.touches(placement);
+                let lateral = match apart {
+                    true => None,
+                    false => placement.lateral.or_else(|| self.unsaid_side(sign, side, row.paired, &row.id, meeting)),
+                };
+                let landmark = landmarks.body_place(&row.id, lateral)?;
+                let from = (landmark.position(self.neutral), landmark.normal(self.neutral));
+                let own_side =
+                    DVec3::X * side.sign() * if apart { HANDS_APART_ARMS * landmarks.arm_length() } else { 0.0 };
+                Anchor::over(&landmark, metres(row.unmarked, from)).moved(own_side)
+            }
+            Place::OtherHand(point) => {
+                *on_other_hand = true;
+                let contact = landmarks.hand_point(side.other(), *point)?;
+                let from = (contact.position(self.neutral), contact.normal(self.neutral));
+                Anchor::over_contact(&contact, metres(Distance::Touch, from))
+            }
+            Place::Space(cell) => {
+                let landmark = landmarks.space(*cell);
+                Anchor::Fixed(landmark.position(self.neutral))
+            }
+            Place::Point(point) => Anchor::Fixed(*point),
+            Place::Between(a, b) => {
+                let half = |place: &Place| {
+                    let one = Placement { place: place.clone(), offset: None, ..placement.clone() };
+                    self.anchor(&one, sign, side, true, on_other_hand)
+                };
+                let mut half = half;
+                Anchor::Middle(vec![half(a)?, half(b)?])
+            }
+            Place::Referent(name) => {
+                return Err(Error::new(format!("nothing has been placed at the referent {name} before")));
+            }
+        };
+        Ok(match placement.offset {
+            Some((direction, metres)) => anchor.moved(direction.vector() * metres),
+            None => anchor,
+        })
+    }
+
+    /// The side of a place that is meant when none is said: places that come in two are on the hand's own side; two
+    /// hands are set apart; one hand in neutral space is before its own shoulder.
+    fn unsaid_side(&self, sign: &Sign, side: Side, paired: bool, id: &str, meeting: bool) -> Option<Lateral> {
+        let both = matches!(sign.hands, Hands::Both(Some(Symmetry { .. })));
+        let apart = both && !meeting;
+        (paired || apart || (id == "neutral" && !meeting)).then_some(Lateral { side, beside: false })
+    }
+}
