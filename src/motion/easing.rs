@@ -124,6 +124,17 @@ impl Easing {
     }
 }
 
+/// 3x² − 2x³, level at both ends: for what comes and goes without being a stroke. `x` is clamped to [0, 1].
+///
+/// ```
+/// use chereme::motion::easing::smoothstep;
+/// assert_eq!([smoothstep(-1.0), smoothstep(0.5), smoothstep(2.0)], [0.0, 0.5, 1.0]);
+/// ```
+pub fn smoothstep(x: f64) -> f64 {
+    let x = x.clamp(0.0, 1.0);
+    x * x * (3.0 - 2.0 * x)
+}
+
 /// Whether a steepness is too small (or no number), so that the curve is linear to the last digit that shows.
 fn is_flat(k: f64) -> bool {
     k.is_nan() || k.abs() < 1e-6

@@ -2,6 +2,7 @@
 
 use crate::body::signer::Turn;
 use crate::diagnostics::Error;
+use crate::motion::easing::smoothstep;
 use crate::phonology::expression::{Expression, Expressions};
 use crate::phonology::{Amount, Channel, Keys, NonManual, NonManualValue, Side};
 use glam::DVec3;
@@ -170,10 +171,6 @@ fn add(channel: Channel, turn: Turn, level: f64, state: &mut NonManualState) {
 /// Comes before the start and goes after the end, smoothly.
 fn envelope(time: f64, start: f64, end: f64) -> f64 {
     let ramp = RAMP.min((end - start).max(0.05));
-    let smooth = |x: f64| {
-        let x = x.clamp(0.0, 1.0);
-        x * x * (3.0 - 2.0 * x)
-    };
     // Neighbours cross at half their height on the border between them.
-    smooth((time - start + ramp / 2.0) / ramp) * smooth((end + ramp / 2.0 - time) / ramp)
+    smoothstep((time - start + ramp / 2.0) / ramp) * smoothstep((end + ramp / 2.0 - time) / ramp)
 }

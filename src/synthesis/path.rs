@@ -6,7 +6,7 @@
 //! rate (a harmonic ellipse has the speed ∝ curvature^(−1/3) of the two-thirds power law, facts §5), eased
 //! at both ends.
 
-use crate::motion::easing::Easing;
+use crate::motion::easing::{Easing, smoothstep};
 use glam::DVec3;
 use std::f64::consts::TAU;
 
@@ -85,8 +85,7 @@ impl Path {
                 let phase = (share * count).fract();
                 let wave = if *zigzag { triangle(phase) } else { (TAU * phase).sin() };
                 // Fades in and out over a sixth of the path, so that the ends are smooth.
-                let fade = (6.0 * share.min(1.0 - share)).min(1.0);
-                *across * wave * fade * fade * (3.0 - 2.0 * fade)
+                *across * wave * smoothstep(6.0 * share.min(1.0 - share))
             }
             Path::Sum(paths) => paths.iter().map(|p| p.at(share)).sum(),
             Path::Chain(parts) => {

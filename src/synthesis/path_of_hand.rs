@@ -2,7 +2,7 @@
 
 use super::legs::{Leg, posture_at};
 use super::plan::{HandPlan, PlacedLeg};
-use crate::motion::easing::{Easing, slerp};
+use crate::motion::easing::{Easing, slerp, smoothstep};
 use crate::motion::pose::ModelPose;
 use crate::phonology::WristMotion;
 use glam::{DQuat, DVec3};
@@ -118,9 +118,11 @@ impl Instant {
 fn point_of(placed: &PlacedLeg, share: f64, model: &ModelPose) -> DVec3 {
     let PlacedLeg { leg, from, to, .. } = placed;
     let (from, to) = (from.position(model), to.position(model));
+    let chord = to - from;
+    let scale = bent(leg, chord);
     // What the path itself does not lead to is made up along the way.
-    let rest = to - from - leg.path.end();
-    from + leg.path.at(share) * bent(leg, to - from) + rest_along(leg, rest, to - from, share)
+    let rest = chord - leg.path.end() * scale;
+    from + leg.path.at(share) * scale + rest * Easing::MinimumJerk.weight(share)
 }
 
 /// The scale of an arc whose end is a place: its bend goes with its true chord.
@@ -131,16 +133,7 @@ fn bent(leg: &Leg, chord: DVec3) -> f64 {
     }
 }
 
-fn rest_along(leg: &Leg, rest: DVec3, chord: DVec3, share: f64) -> DVec3 {
-    let weight = Easing::MinimumJerk.weight(share);
-    match bent(leg, chord) {
-        1.0 => rest * weight,
-        scale => (chord - leg.path.end() * scale) * weight,
-    }
-}
-
 /// Rises and falls within a sixth of the time at each end.
 fn soft(share: f64) -> f64 {
-    let x = (6.0 * share.min(1.0 - share)).clamp(0.0, 1.0);
-    x * x * (3.0 - 2.0 * x)
+    smoothstep(6.0 * share.min(1.0 - share))
 }

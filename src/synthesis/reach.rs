@@ -8,6 +8,7 @@
 
 use crate::body::arm::{ArmRig, WristLimits};
 use crate::motion::arm::{ArmAngles, ArmHint, ArmPose, orient};
+use crate::motion::easing::smoothstep;
 use crate::motion::fabrik::{Options as FabrikOptions, Pole};
 use crate::motion::reach::reach;
 use crate::motion::two_bone;
@@ -221,7 +222,7 @@ impl Chain<'_> {
             let length = (pair[1] - pair[0]) as f64;
             swivels.extend((pair[0]..pair[1]).map(|i| {
                 let w = (i - pair[0]) as f64 / length;
-                from + (to - from) * w * w * (3.0 - 2.0 * w)
+                from + (to - from) * smoothstep(w)
             }));
         }
         swivels.extend(chosen.last().map(|c| swivel_of(*c)));

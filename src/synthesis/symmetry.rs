@@ -2,8 +2,8 @@
 
 use super::legs::Turns;
 use crate::phonology::{
-    Configuration, Contact, Direction, Hand, Hands, Heading, Keys, Lateral, Manual, Movement, NonManual, Orientation,
-    Place, Placement, Relation, Sign, Space, Symmetry,
+    Configuration, Contact, Direction, Hand, Hands, Heading, Keys, Lateral, Manual, Movement, Orientation, Place,
+    Placement, Relation, Sign, Space, Symmetry,
 };
 use glam::DVec3;
 
@@ -138,9 +138,4 @@ pub fn points(contact: &Contact, hand: Hand) -> (crate::phonology::HandPoint, cr
         Hand::Strong => (contact.strong, contact.weak),
         Hand::Weak => (contact.weak, contact.strong),
     }
-}
-
-/// All non-manual values of a sign, tier by tier.
-pub fn non_manuals(sign: &Sign) -> impl Iterator<Item = (crate::phonology::Channel, &Keys<NonManual>)> {
-    sign.nonmanual.iter().map(|(channel, keys)| (*channel, keys))
 }

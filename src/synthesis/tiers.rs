@@ -2,7 +2,7 @@
 
 use super::plan::HandPlan;
 use super::side_of;
-use super::symmetry::{acts, non_manuals, resolve};
+use super::symmetry::{acts, resolve};
 use super::timeline::Timeline;
 use crate::phonology::{
     Action, Configuration, Contact, ContactKind, Distance, Hand, HandshapeChange, Keys, Motion, Movement, NonManual,
@@ -67,7 +67,7 @@ pub(super) fn of_sign(sign: &Sign, timeline: &Timeline, plans: &[HandPlan]) -> V
     if !sign.contact.is_empty() {
         tiers.push(keyed("Contact", &sign.contact, timeline, contact_label, STATED));
     }
-    for (channel, values) in non_manuals(sign) {
+    for (channel, values) in &sign.nonmanual {
         let name = channel.name();
         let title = format!("{}{}", name[..1].to_uppercase(), &name[1..]);
         tiers.push(keyed(&title, values, timeline, non_manual_label, STATED));
