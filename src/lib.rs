@@ -10,6 +10,7 @@ pub mod format;
 pub mod motion;
 pub mod notation;
 pub mod phonology;
+pub mod score;
 pub mod synthesis;
 pub mod tier;
 pub mod time;
