@@ -3,7 +3,7 @@
 //! A sign's tiers stand two spaces in, their values in one column; comments stay where they were, single blank
 //! lines too. Printing what was just printed changes nothing.
 
-mod words;
+pub(crate) mod words;
 
 use super::lex::quote;
 use super::syntax::{Content, File, Line, TierLine, Value};

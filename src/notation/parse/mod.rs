@@ -1,16 +1,16 @@
 //! Text to [`syntax`](super::syntax): line by line, so that a fault spoils one line and no more.
 
 pub(crate) mod configuration;
-mod input;
+pub(crate) mod input;
 pub(crate) mod motion;
 mod movement;
 pub(crate) mod nonmanual;
 mod orientation;
 pub(crate) mod placement;
 mod tier;
-mod words;
+pub(crate) mod words;
 
-use super::lex::{Kind, Token, lex, lines};
+use super::lex::{Dialect, Kind, Token, lex, lines};
 use super::suggest::nearest;
 use super::syntax::{Content, File, Ignored, Line, TierLine, Value};
 use crate::diagnostics::{Diagnostic, Span, Spanned};
@@ -45,7 +45,7 @@ pub fn parse(text: &str) -> (File, Vec<Diagnostic>) {
     let mut faults = Vec::new();
     for (offset, raw) in lines(text) {
         let span = Ignored(Span::new(offset, offset + raw.len()));
-        match lex(raw, offset) {
+        match lex(raw, offset, Dialect::Sign) {
             Err(fault) => {
                 faults.push(*fault);
                 let begins_sign = raw.split_whitespace().next().is_some_and(|w| w.eq_ignore_ascii_case("sign"));
@@ -78,7 +78,8 @@ fn content(tokens: &[Token], faults: &mut Vec<Diagnostic>) -> Content {
     }
 }
 
-fn diagnostic(error: nom::Err<Mistake>, line: Tokens) -> Diagnostic {
+/// What is told where a line could not be read.
+pub(crate) fn diagnostic(error: nom::Err<Mistake>, line: Tokens) -> Diagnostic {
     match error {
         nom::Err::Error(Mistake::Told(fault)) | nom::Err::Failure(Mistake::Told(fault)) => *fault,
         nom::Err::Error(Mistake::Expected { at, what }) | nom::Err::Failure(Mistake::Expected { at, what }) => {
@@ -236,6 +237,11 @@ const SYNONYMS: [(&str, &str); 17] = [
     ("touch", "contact"),
 ];
 
+/// Our word for a word of the field.
+pub(crate) fn synonym(word: &str) -> Option<&'static str> {
+    SYNONYMS.iter().find(|(said, _)| word.eq_ignore_ascii_case(said)).map(|(_, ours)| *ours)
+}
+
 fn no_tier<'a, T>(input: Tokens<'a>, hand: Option<Hand>) -> Parsed<'a, T> {
     let Some(token) = input.first() else {
         return expected(input, "a tier such as `configuration`");
@@ -265,8 +271,7 @@ fn no_tier<'a, T>(input: Tokens<'a>, hand: Option<Hand>) -> Parsed<'a, T> {
     }
     let known = TIERS.into_iter().chain(["sign", "language", "duration", "strong", "weak"]);
     let known = known.chain(Channel::ALL.map(Channel::name));
-    let synonym = SYNONYMS.iter().find(|(said, _)| word.eq_ignore_ascii_case(said));
-    told(match synonym.map(|(_, ours)| *ours).or_else(|| nearest(word, known)) {
+    told(match synonym(word).or_else(|| nearest(word, known)) {
         Some(near) => fault.hint(format!("did you mean `{near}`?")),
         None => fault.hint(format!(
             "tiers are {}, duration, {}",

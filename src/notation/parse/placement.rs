@@ -40,7 +40,7 @@ pub(crate) const HEADS: [&str; 8] = ["behind", "beside", "between", "other", "sp
 /// How deep `between` may nest.
 const DEEPEST: usize = 16;
 /// The furthest coordinate, in metres.
-const FURTHEST_M: f64 = 10.0;
+pub(crate) const FURTHEST_M: f64 = 10.0;
 
 /// `[behind] [beside] PLACE [left|right] {, ATTRIBUTE}`
 pub(crate) fn placement<'a>(input: Tokens<'a>) -> Parsed<'a, Placement> {
@@ -146,17 +146,7 @@ fn space<'a>(input: Tokens<'a>) -> Parsed<'a, Place> {
     let mut said = [false; 3];
     let mut rest = input;
     loop {
-        let (axis, value) = match rest.word().to_ascii_lowercase().as_str() {
-            "left" => (0, 1),
-            "centre" | "center" => (0, 0),
-            "right" => (0, -1),
-            "high" => (1, 1),
-            "mid-height" => (1, 0),
-            "low" => (1, -1),
-            "far" => (2, 1),
-            "near" => (2, -1),
-            _ => return Ok((rest, Place::Space(cell))),
-        };
+        let Some((axis, value)) = step(rest.word()) else { return Ok((rest, Place::Space(cell))) };
         if said[axis] {
             return told(
                 Diagnostic::fault(rest.span(), "this axis of the space is said twice")
@@ -165,12 +155,35 @@ fn space<'a>(input: Tokens<'a>) -> Parsed<'a, Place> {
             );
         }
         said[axis] = true;
-        match axis {
-            0 => cell.left = value,
-            1 => cell.high = value,
-            _ => cell.far = value,
-        }
+        take_step(&mut cell, axis, value);
         rest = rest.skip();
+    }
+}
+
+/// The words of the grid: an axis (left, high, far) and a step on it.
+pub(crate) const STEPS: [(&str, (usize, i8)); 9] = [
+    ("left", (0, 1)),
+    ("centre", (0, 0)),
+    ("center", (0, 0)),
+    ("right", (0, -1)),
+    ("high", (1, 1)),
+    ("mid-height", (1, 0)),
+    ("low", (1, -1)),
+    ("far", (2, 1)),
+    ("near", (2, -1)),
+];
+
+/// The axis and the step of a word of the grid.
+pub(crate) fn step(word: &str) -> Option<(usize, i8)> {
+    STEPS.iter().find(|(name, _)| name.eq_ignore_ascii_case(word)).map(|(_, step)| *step)
+}
+
+/// Goes a step on an axis of the grid.
+pub(crate) fn take_step(cell: &mut Space, axis: usize, value: i8) {
+    match axis {
+        0 => cell.left = value,
+        1 => cell.high = value,
+        _ => cell.far = value,
     }
 }
 
