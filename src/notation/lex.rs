@@ -5,7 +5,7 @@
 
 use crate::diagnostics::{Diagnostic, Span};
 use nom::branch::alt;
-use nom::bytes::complete::{take_till1, take_while1};
+use nom::bytes::complete::take_while1;
 use nom::character::complete::{char, one_of};
 use nom::combinator::{map, recognize};
 use nom::{IResult, Parser};
@@ -122,12 +122,14 @@ fn token(rest: &str, dialect: Dialect) -> IResult<&str, (Kind, &str)> {
 }
 
 fn word(rest: &str, dialect: Dialect) -> IResult<&str, &str> {
-    let (after, word) = take_till1(|c: char| is_space(c) || ",()=\"#".contains(c)).parse(rest)?;
-    let cut = match dialect {
-        Dialect::Sign => None,
-        Dialect::Gloss => word.char_indices().map(|(i, _)| i).find(|i| gloss_mark(&rest[*i..]).is_some()),
+    let ends = |at: usize, c: char| {
+        is_space(c) || ",()=\"#".contains(c) || dialect == Dialect::Gloss && gloss_mark(&rest[at..]).is_some()
     };
-    Ok(cut.map_or((after, word), |cut| (&rest[cut..], &rest[..cut])))
+    match rest.char_indices().find(|&(at, c)| ends(at, c)) {
+        Some((0, _)) => Err(nom::Err::Error(nom::error::Error::new(rest, nom::error::ErrorKind::TakeTill1))),
+        Some((at, _)) => Ok((&rest[at..], &rest[..at])),
+        None => Ok((&rest[rest.len()..], rest)),
+    }
 }
 
 /// A mark of gloss lines at the front, and its length in bytes. `+`, `:` and `.` before a digit belong to a number
@@ -136,9 +138,10 @@ pub(crate) fn gloss_mark(rest: &str) -> Option<(char, usize)> {
     let mut chars = rest.chars();
     let first = chars.next()?;
     let next = chars.next().unwrap_or(' ');
+    let then_digit = |rest: std::str::Chars| rest.as_str().starts_with(|c: char| c.is_ascii_digit());
     let is_mark = match first {
         '@' | '[' | ']' | '{' | '}' | '<' | '>' | '&' | '#' => true,
-        '+' => !(next.is_ascii_digit() || next == '.'),
+        '+' => !(next.is_ascii_digit() || next == '.' && then_digit(chars)),
         ':' => !next.is_ascii_digit(),
         '.' => !next.is_alphanumeric(),
         '/' => next == '/',

@@ -38,10 +38,10 @@ pub(super) fn signed<'a>(input: Tokens<'a>) -> Parsed<'a, Signed> {
 /// `weak(GLOSS)`
 fn weak<'a>(input: Tokens<'a>) -> Parsed<'a, Signed> {
     let open = opened(input, "which sign does the weak hand make?", "write `weak(BOL)`")?.0;
-    let (rest, inner) = must(signed(open.skip()))?;
-    if inner.hand == Hand::Weak {
+    if is_word(open.skip(), "weak") {
         return told(Diagnostic::fault(open.skip().span(), "`weak` within `weak`").label("once is enough"));
     }
+    let (rest, inner) = must(signed(open.skip()))?;
     if !rest.is(Kind::Close) {
         return unclosed(open, rest, "one sign stands in the brackets: `weak(BOL@left)`");
     }
