@@ -94,10 +94,8 @@ impl Lexicon {
     /// # Errors
     /// No sign of that name (with the nearest), or several languages that have one (listing them).
     pub fn find(&self, name: &str, language: Option<&str>) -> Result<&Entry, Error> {
-        let folded = fold(name);
         let wanted = |entry: &&Entry| language.is_none_or(|l| entry.sign.language.eq_ignore_ascii_case(l));
-        let hits: Vec<&Entry> =
-            self.entries.iter().filter(|((_, n), _)| *n == folded).map(|(_, e)| e).filter(wanted).collect();
+        let hits: Vec<&Entry> = self.of_name(name).filter(wanted).collect();
         match hits.as_slice() {
             [one] => Ok(one),
             [] => {
@@ -113,6 +111,12 @@ impl Lexicon {
                 Err(Error::new(format!("`{name}` is a sign of several languages, say which: {}", all.join(", "))))
             }
         }
+    }
+
+    /// The signs of a name, one a language at most.
+    pub fn of_name(&self, name: &str) -> impl Iterator<Item = &Entry> {
+        let folded = fold(name);
+        self.entries.iter().filter(move |((_, n), _)| *n == folded).map(|(_, e)| e)
     }
 
     /// A letter of a language's alphabet.

@@ -63,7 +63,7 @@ pub(crate) fn signed(v: &Signed) -> String {
         Head::Pointing(Site::Space(cell)) => format!("IX@{}", cell_words(*cell).join("-")),
         Head::Pointing(site) => format!("IX({})", site_text(site)),
         Head::Wrist(site) => format!("wrist({})", site_text(site)),
-        Head::Spelled(word) => format!("fs({})", bare(word, &[], &[])),
+        Head::Spelled(word) => format!("fs({})", self::word(word)),
     };
     if let Some(site) = &v.site {
         match &site.value {
@@ -76,6 +76,11 @@ pub(crate) fn signed(v: &Signed) -> String {
         Hand::Strong => text,
         Hand::Weak => format!("weak({text})"),
     }
+}
+
+/// A word to be spelled, in quotes where it has marks.
+pub(crate) fn word(word: &str) -> String {
+    bare(word, &[], &[])
 }
 
 /// A name, in quotes where it has spaces or marks.

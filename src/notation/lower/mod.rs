@@ -6,7 +6,7 @@ mod value;
 use super::syntax::{Content, File, TierLine, Value, Values};
 use super::vocabulary::Vocabulary;
 use crate::diagnostics::{Diagnostic, Severity, Span, Spanned};
-use crate::phonology::{Action, Channel, Hand, Hands, Keys, Manual, Motion, Movement, Orientation, Sign};
+use crate::phonology::{self, Action, Channel, Hand, Hands, Keys, Manual, Motion, Movement, Orientation, Sign};
 use crate::time::Seconds;
 use keys::{Tally, place};
 pub(crate) use value::NAME_STOPS;
@@ -81,6 +81,16 @@ pub fn lower(file: &File, vocabulary: &Vocabulary, language: &str, diagnostics: 
         diagnostics.append(&mut faults);
     }
     signs
+}
+
+/// A non-manual value with its names looked up, for a gloss line; faults are added to `diagnostics`.
+pub fn nonmanual(
+    channel: Channel,
+    written: &super::syntax::NonManual,
+    vocabulary: &Vocabulary,
+    diagnostics: &mut Vec<Diagnostic>,
+) -> Option<phonology::NonManual> {
+    Names { vocabulary, language: "" }.nonmanual(channel, written, diagnostics)
 }
 
 /// A sign's lines.
