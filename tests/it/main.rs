@@ -25,6 +25,7 @@ mod notation_signs;
 mod phonology_location;
 mod phonology_orientation;
 mod phonology_tables;
+mod score_gloss;
 mod shared;
 mod signing;
 mod strategies;

@@ -1,11 +1,10 @@
-//! Gloss lines: laws on random lines and random text, and one mistake a file in `tests/suite/gloss`.
+//! Gloss lines: laws on random lines and random text.
 
 use crate::strategies::heading;
 use chereme::diagnostics::render::render;
 use chereme::diagnostics::{Source, Span, Spanned};
 use chereme::notation::gloss::syntax::*;
 use chereme::notation::gloss::{parse, print};
-use chereme::notation::source_of_bytes;
 use chereme::notation::syntax::{Distance, Duration, Ignored, NonManual, NonManualWhat, Place, Placement};
 use chereme::phonology::{Amount, Channel, Hand, Space};
 use proptest::collection::vec;
@@ -228,14 +227,4 @@ fn great_and_deep_lines_are_refused_in_time() {
         assert!(!faults.is_empty() && faults.len() <= 101, "{text}: {}", faults.len());
     }
     assert_eq!(parse(&"A ".repeat(50_000)).1.len(), 1);
-}
-
-#[test]
-fn each_mistake_has_its_message() {
-    crate::golden::beside("gloss", "gloss", 28, |name, bytes| {
-        let (source, _) = source_of_bytes(name, bytes);
-        let (_, faults) = parse(&source.text);
-        assert!(!faults.is_empty(), "{name} has no fault");
-        faults.iter().map(|d| render(d, &source, false) + "\n\n").collect()
-    });
 }

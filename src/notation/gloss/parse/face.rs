@@ -127,7 +127,9 @@ fn no_channel<'a, T>(input: Tokens<'a>) -> Parsed<'a, T> {
     let word = input.first().map_or("", |t| t.text);
     let fault = Diagnostic::fault(input.span(), format!("`{word}` is no part of head, trunk or face")).label("here");
     let names = Channel::ALL.map(Channel::name);
-    told(match synonym(word).filter(|w| names.contains(w)).or_else(|| nearest(word, names)) {
+    let plural = format!("{word}s");
+    let synonym = synonym(word).or_else(|| synonym(&plural)).filter(|w| names.contains(w));
+    told(match synonym.or_else(|| nearest(word, names)) {
         Some(near) => fault.hint(format!("did you mean `{near}`?")),
         None => fault.hint(format!("they are {}", names.join(", "))),
     })

@@ -16,7 +16,8 @@ pub(super) fn site<'a>(input: Tokens<'a>) -> Parsed<'a, Site> {
 /// A site in brackets: `(0.6,1.4,0.5)`, `(MAISON)`, `(left-high)`.
 pub(super) fn in_brackets<'a>(input: Tokens<'a>) -> Parsed<'a, Site> {
     let inside = input.skip();
-    if is_number(inside.word()) {
+    // Names may begin with a digit, but then no comma follows them.
+    if is_number(inside.word()) || inside.skip().is(Kind::Comma) {
         return point(input);
     }
     let (rest, site) = named(inside)?;
