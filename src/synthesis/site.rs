@@ -105,6 +105,7 @@ impl Planner<'_> {
             Place::Referent(name) => {
                 return Err(Error::new(format!("nothing has been placed at the referent {name} before")));
             }
+            Place::Towards(_) => return Err(Error::new("pointing is not synthesized yet")),
         };
         Ok(match placement.offset {
             Some((direction, metres)) => anchor.moved(direction.vector() * metres),
