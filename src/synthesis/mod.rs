@@ -17,7 +17,6 @@ mod path_of_hand;
 pub mod plan;
 pub mod reach;
 mod site;
-pub mod symmetry;
 mod tiers;
 mod timeline;
 mod ways;

@@ -3,7 +3,6 @@
 use super::anchor::Anchor;
 use super::legs::{Leg, LegEnd, change, lay_out};
 use super::reach::{from_outside, natural_rotation, strain};
-use super::symmetry::{Resolved, acts, points, resolve};
 use super::{Grammar, side_of};
 use crate::body::landmarks::ContactPoint;
 use crate::body::signer::Signer;
@@ -12,6 +11,7 @@ use crate::motion::easing::slerp;
 use crate::motion::pose::{LocalPose, ModelPose};
 use crate::motion::rotation::{angle_between, to_vector};
 use crate::phonology::handshape::HandAngles;
+use crate::phonology::symmetry::{Resolved, acts, points, resolve};
 use crate::phonology::{Configuration, ContactKind, Hand, HandPart, HandPoint, Hands, Orientation, Side, Sign};
 use glam::{DQuat, DVec3};
 

@@ -2,8 +2,8 @@
 
 use super::plan::HandPlan;
 use super::side_of;
-use super::symmetry::{acts, resolve};
 use super::timeline::Timeline;
+use crate::phonology::symmetry::{acts, resolve};
 use crate::phonology::{
     Action, Configuration, Contact, ContactKind, Distance, Hand, HandshapeChange, Keys, Motion, Movement, NonManual,
     NonManualValue, Orientation, Place, Placement, Side, Sign,
