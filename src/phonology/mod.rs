@@ -21,10 +21,12 @@ mod location_table;
 pub mod movement;
 pub mod movement_table;
 pub mod nonmanual;
+pub mod operator;
 pub mod orientation;
 pub mod placement;
 pub mod roll;
 pub mod sign;
+pub mod symmetry;
 
 pub use configuration::{Bend, Configuration, HandshapeChange, ThumbPosition};
 pub use direction::{Direction, Heading};
@@ -36,5 +38,5 @@ pub use movement::{
 };
 pub use nonmanual::{Amount, Channel, NonManual, NonManualValue};
 pub use orientation::Orientation;
-pub use placement::{Contact, ContactKind, Distance, Lateral, Place, Placement, Space};
-pub use sign::{Hands, Keys, Manual, Relation, Sign, Symmetry};
+pub use placement::{Contact, ContactKind, Distance, Forced, Lateral, Place, Placement, Relocation, Space};
+pub use sign::{Attested, Hands, Keys, Manual, Relation, Sign, Symmetry};

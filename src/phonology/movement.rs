@@ -16,6 +16,8 @@ pub enum Movement {
     Together(Vec<Movement>),
     /// Blended into one (HamNoSys `hamfusionbegin`).
     Fused(Vec<Movement>),
+    /// Played backwards, from its end to its start. Keys that it names count from the sign's end.
+    Backwards(Box<Movement>),
 }
 
 /// One movement with everything that may be said of it.
@@ -59,6 +61,11 @@ pub enum Motion {
     Hold,
     /// Only what the other tiers change (HamNoSys `hamreplace`), and the way to a target.
     Change,
+    /// Back to where the hand was at an earlier key.
+    Return {
+        /// The key, from 0, the start; not after the key that the interval begins at.
+        key: usize,
+    },
     /// A straight path.
     Straight {
         /// Where to.
@@ -140,6 +147,11 @@ impl Clock {
     /// The place, or `None` above 7.
     pub fn new(eighths: u8) -> Option<Clock> {
         (eighths < 8).then_some(Clock(eighths))
+    }
+
+    /// The place across the clock face.
+    pub fn opposite(self) -> Clock {
+        Clock((self.0 + 4) % 8)
     }
 
     /// Eighths of a turn, clockwise from the top.

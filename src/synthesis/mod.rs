@@ -23,7 +23,6 @@ pub mod schedule;
 mod site;
 mod stage;
 mod stroke;
-pub mod symmetry;
 mod tiers;
 mod timeline;
 mod ways;

@@ -3,7 +3,6 @@
 use super::anchor::Anchor;
 use super::legs::{Leg, LegEnd, change, lay_out};
 use super::reach::{from_outside, natural_rotation, strain};
-use super::symmetry::{Resolved, acts, points, resolve};
 use super::{Grammar, side_of};
 use crate::body::landmarks::ContactPoint;
 use crate::body::signer::Signer;
@@ -12,6 +11,7 @@ use crate::motion::easing::slerp;
 use crate::motion::pose::{LocalPose, ModelPose};
 use crate::motion::rotation::{angle_between, to_vector};
 use crate::phonology::handshape::HandAngles;
+use crate::phonology::symmetry::{Resolved, acts, points, resolve};
 use crate::phonology::{Configuration, ContactKind, Hand, HandPart, HandPoint, Hands, Orientation, Side, Sign};
 use glam::{DQuat, DVec3};
 
@@ -255,30 +255,65 @@ impl Planner<'_> {
     ) -> Result<Vec<PlacedLeg>, Error> {
         let side = side_of(hand);
         let table = &self.grammar.movements;
-        let mut placed: Vec<PlacedLeg> = Vec::new();
-        let mut at = start.clone();
-        for interval in 0..sign.intervals {
-            let legs = match said.movement.get(interval) {
-                Some(movement) => lay_out(movement, table, said.turns),
+        let reflected = |mut leg: Leg| {
+            leg.path = leg.path.reflected(said.signs);
+            leg.end = leg.end.reflected(said.signs);
+            leg
+        };
+        let intervals: Vec<Vec<Leg>> = (0..sign.intervals)
+            .map(|interval| match said.movement.get(interval) {
+                Some(movement) => lay_out(movement, table, said.turns).into_iter().map(reflected).collect(),
                 None => vec![change(table.timing.change)],
-            };
+            })
+            .collect();
+        let mut placed: Vec<PlacedLeg> = Vec::new();
+        // Where the hand is at each key that it has come to.
+        let mut been = vec![start.clone()];
+        let mut at = start.clone();
+        for (interval, legs) in intervals.iter().enumerate() {
             let first = placed.len();
-            for mut leg in legs {
-                leg.path = leg.path.reflected(said.signs);
+            for leg in legs {
                 let from = at;
-                let reached = keys[interval + 1].anchor.as_ref().filter(|_| leg.posture.1 >= 1.0);
-                let to = match (&leg.end, reached) {
+                let stated = keys[interval + 1].anchor.as_ref().filter(|_| leg.posture.1 >= 1.0);
+                let displaced = || from.clone().moved(leg.path.end());
+                let (end, by) = match &leg.end {
+                    LegEnd::Off(end, by) => (&**end, *by),
+                    end => (end, DVec3::ZERO),
+                };
+                let to = match (end, stated) {
                     (LegEnd::At(placement), _) => self.anchor(placement, sign, side, false, on_other_hand)?,
                     (LegEnd::StartOf(n), _) => placed[first + n].from.clone(),
+                    (LegEnd::AtKey(key), _) => been.get(*key).cloned().unwrap_or_else(displaced),
                     (LegEnd::Displaced, Some(anchor)) => anchor.clone(),
-                    (LegEnd::Displaced, None) => from.clone().moved(leg.path.end()),
+                    (LegEnd::NextKey, _) => going_back(&intervals, keys, interval + 1).unwrap_or_else(displaced),
+                    (LegEnd::Displaced | LegEnd::Off(..), _) => displaced(),
                 };
+                let to = to.moved(by);
                 at = to.clone();
-                placed.push(PlacedLeg { leg, interval, from, to });
+                placed.push(PlacedLeg { leg: leg.clone(), interval, from, to });
             }
+            been.push(at.clone());
         }
         Ok(placed)
     }
+}
+
+/// Where a hand is at a key: as the key says, else going back along the movements from the next key that says it;
+/// `None` where none does, or a movement between has no way of its own.
+fn going_back(intervals: &[Vec<Leg>], keys: &[KeyPosture], key: usize) -> Option<Anchor> {
+    let mut way = DVec3::ZERO;
+    for at in key..keys.len() {
+        if let Some(anchor) = &keys[at].anchor {
+            return Some(anchor.clone().moved(-way));
+        }
+        for leg in intervals.get(at)? {
+            if leg.end != LegEnd::Displaced {
+                return None;
+            }
+            way += leg.path.end();
+        }
+    }
+    None
 }
 
 fn name_of(hand: Hand) -> &'static str {

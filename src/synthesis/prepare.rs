@@ -62,6 +62,7 @@ fn states_its_time(sign: &Sign) -> bool {
         match movement {
             Movement::Action(action) => action.duration.is_some(),
             Movement::Sequence(parts) | Movement::Together(parts) | Movement::Fused(parts) => parts.iter().any(stated),
+            Movement::Backwards(inner) => stated(inner),
         }
     }
     sign.duration.is_some() || sign.strong.movement.iter().chain(&sign.weak.movement).any(stated)
