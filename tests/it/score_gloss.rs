@@ -3,10 +3,11 @@
 use crate::golden;
 use chereme::diagnostics::Source;
 use chereme::diagnostics::render::render;
-use chereme::notation::lexicon::embedded;
 use chereme::notation::{Lexicon, Vocabulary, source_of_bytes};
-use chereme::phonology::{Hand, Place, Space};
-use chereme::score::gloss::{Handedness, Missing, Reading, Settings, read};
+use chereme::phonology::movement_table::MovementTable;
+use chereme::phonology::operator::{Tables, for_left_hander, repeated};
+use chereme::phonology::{Hand, Hands, LocationInventory, Place, Sign, Space};
+use chereme::score::gloss::{Handedness, Known, Missing, Reading, Settings, read};
 use chereme::score::plan::Act;
 use chereme::time::Seconds;
 
@@ -31,7 +32,9 @@ fn reading(text: &str, settings: &Settings) -> Reading {
     let mut lexicon = Lexicon::default();
     let checked = lexicon.add(SIGNS.map(|(path, text)| Source::new(path, text)), &vocabulary);
     assert!(checked.iter().all(|c| c.diagnostics.is_empty()), "{checked:?}");
-    read(text, &lexicon, &vocabulary, settings)
+    let (locations, movements) = (LocationInventory::builtin(), MovementTable::embedded());
+    let tables = Tables { locations: &locations, movements: &movements };
+    read(text, &Known { lexicon: &lexicon, vocabulary: &vocabulary, tables }, settings)
 }
 
 fn sound(text: &str) -> Reading {
@@ -122,6 +125,86 @@ fn unknown_glosses_are_told_with_the_nearest() {
     let skip = Settings { missing: Missing::Skip, ..Settings::default() };
     let line = reading("TOI WXYZ CHIEN", &skip);
     assert!(!line.has_faults() && line.plan.items.len() == 2 && line.diagnostics.len() == 1);
+}
+
+/// The signs of a line in order.
+fn signs(reading: &Reading) -> Vec<&Sign> {
+    let sign = |item: &'_ chereme::score::plan::Item| matches!(item.act, Act::Sign(_));
+    let all = reading.plan.items.iter().filter(|item| sign(item));
+    all.filter_map(|item| if let Act::Sign(sign) = &item.act { Some(&**sign) } else { None }).collect()
+}
+
+#[test]
+fn each_plus_adds_a_performance() {
+    let line = sound("BOL TRAVAIL++");
+    let all = signs(&line);
+    let (locations, movements) = (LocationInventory::builtin(), MovementTable::embedded());
+    let tables = Tables { locations: &locations, movements: &movements };
+    let once = sound("BOL TRAVAIL");
+    assert_eq!(*all[1], repeated(signs(&once)[1], 3, None, 0, &tables).unwrap());
+}
+
+#[test]
+fn a_sign_in_brackets_is_where_it_was_made_last() {
+    let line = sound(
+        "MAISON@left BOL@(0.3,1.2,0.4) IX(MAISON) {gaze at referent \"BOL\": TOI} MAISON@right IX(maison) TOI@MAISON",
+    );
+    let all = signs(&line);
+    let cell = |left| Place::Space(Space { left, high: 0, far: 0 });
+    let target = |sign: &Sign| sign.strong.placement.at(0).unwrap().place.clone();
+    assert_eq!(target(all[2]), Place::Towards(Box::new(cell(1))));
+    assert_eq!(target(all[5]), Place::Towards(Box::new(cell(-1))));
+    assert_eq!(all[0].relocated.as_ref().unwrap().place, cell(1));
+    assert_eq!(all[6].relocated.as_ref().unwrap().place, cell(-1));
+    let looked_at = format!("{:?}", line.plan.spans[0].value);
+    assert!(looked_at.contains("Point(DVec3(0.3, 1.2, 0.4))"), "{looked_at}");
+    assert!(messages("MAISON IX(MAISON)")[0].contains("MAISON@left"));
+    assert!(messages("MAISON@left IX(MAISN)")[0].contains("did you mean `MAISON`"));
+    // What touches the body stays there.
+    assert!(messages("PENSER@left TOI")[0].contains("anchored"));
+}
+
+#[test]
+fn a_left_handed_signer_points_with_the_left_hand_at_the_same_place() {
+    let text = "TOI IX(0.5,1.3,0.6) BOL@left weak(TOI) weak(IX@left) fs(LSF)";
+    let right = sound(text);
+    let left = reading(text, &Settings { handedness: Handedness::Left, ..Settings::default() });
+    for (r, l) in signs(&right).into_iter().zip(signs(&left)) {
+        assert_eq!(*l, for_left_hander(r));
+        assert_eq!(l.relocated, r.relocated);
+    }
+    let hands: Vec<Hands> = signs(&left).iter().map(|s| s.hands).collect();
+    assert_eq!(hands, [Hands::Weak, Hands::Weak, Hands::Weak, Hands::Strong, Hands::Strong, Hands::Weak]);
+    let target = signs(&left)[1].weak.placement.at(0).unwrap().place.clone();
+    assert_eq!(format!("{target:?}"), "Towards(Point(DVec3(0.5, 1.3, 0.6)))");
+}
+
+#[test]
+fn words_are_spelled_letter_by_letter() {
+    // Three letters held, two transitions.
+    assert_eq!(signs(&sound("TOI fs(lsf)"))[1].intervals, 5);
+    assert_eq!(signs(&sound("TOI fs(\"S-F L\")"))[1].intervals, 5);
+    let accent = reading("TOI fs(été)", &Settings::default());
+    assert!(accent.has_faults(), "there is no T");
+    let accent = reading("TOI fs(é)", &Settings::default());
+    assert_eq!(
+        (accent.has_faults(), accent.diagnostics[0].message.as_str()),
+        (false, "spelled without accents: é as E")
+    );
+    assert_eq!(messages("TOI fs(LXŒL)")[0].split(" / ").next(), Some("the alphabet of `lsf` has no `X`, `Œ`"));
+    assert!(messages("fs(LSF)")[0].contains("which alphabet"));
+    let missing = Settings { missing: Missing::Fingerspell, ..Settings::default() };
+    assert_eq!(signs(&reading("TOI FSL", &missing))[1].intervals, 5);
+}
+
+#[test]
+fn two_signs_at_the_same_time() {
+    let line = sound("TOI & TRAVAIL BOL & IX(0.5,1.3,0.6)");
+    let all = signs(&line);
+    assert_eq!((all[0].hands, all[1].hands), (Hands::Both(None), Hands::Both(None)));
+    let target = format!("{:?}", all[1].weak.placement.at(0).unwrap().place);
+    assert_eq!(target, "Towards(Point(DVec3(0.5, 1.3, 0.6)))");
+    assert!(messages("TOI & BOL@left")[0].contains("placed as one"));
 }
 
 #[test]

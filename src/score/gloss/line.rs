@@ -1,9 +1,8 @@
 //! The items of a line in order: what was signed where is known to those that follow.
 
 use super::lookup::Lookup;
-use super::signed;
+use super::{Known, signed};
 use crate::diagnostics::{Diagnostic, Span, Spanned};
-use crate::notation::Vocabulary;
 use crate::notation::gloss::syntax::{Face, GlossLine, Head, Item, Signed, Site, What};
 use crate::notation::lower::nonmanual;
 use crate::notation::suggest::nearest;
@@ -18,7 +17,7 @@ use std::ops::Range;
 pub(super) struct Line<'l> {
     pub lookup: &'l Lookup<'l>,
     pub diagnostics: &'l mut Vec<Diagnostic>,
-    vocabulary: &'l Vocabulary,
+    pub known: &'l Known<'l>,
     text: &'l str,
     plan: Plan,
     /// Glosses that were placed, in order, and where.
@@ -32,11 +31,11 @@ pub(super) fn lower(
     line: &GlossLine,
     text: &str,
     lookup: &Lookup,
-    vocabulary: &Vocabulary,
+    known: &Known,
     diagnostics: &mut Vec<Diagnostic>,
 ) -> Plan {
     let plan = Plan::default();
-    let mut all = Line { lookup, diagnostics, vocabulary, text, plan, placed: Vec::new(), signed: Vec::new() };
+    let mut all = Line { lookup, diagnostics, known, text, plan, placed: Vec::new(), signed: Vec::new() };
     all.items(&line.items);
     all.plan
 }
@@ -140,7 +139,7 @@ impl Line<'_> {
         let whole = start..self.plan.items.len();
         let mut own = Vec::new();
         for (channel, written) in &face.values {
-            let value = nonmanual(channel.value, written, self.vocabulary, self.diagnostics);
+            let value = nonmanual(channel.value, written, self.known.vocabulary, self.diagnostics);
             let Some(value) = value.and_then(|value| self.looked_at(value, channel)) else { continue };
             let inner = self.plan.spans[outer..].iter().filter(|over| over.channel == channel.value);
             let over = |items| Over { items, channel: channel.value, value: value.clone() };

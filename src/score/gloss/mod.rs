@@ -11,6 +11,7 @@
 mod line;
 mod lookup;
 mod signed;
+mod spelling;
 
 use super::plan::Plan;
 use crate::diagnostics::{Diagnostic, Severity};
@@ -18,6 +19,7 @@ use crate::notation::gloss::parse;
 use crate::notation::gloss::syntax::GlossLine;
 use crate::notation::{Lexicon, Vocabulary};
 use crate::phonology::Hand;
+use crate::phonology::operator::Tables;
 
 /// How a line is read.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
@@ -69,6 +71,17 @@ pub enum Missing {
     Skip,
 }
 
+/// What a line is read against.
+#[derive(Debug, Clone, Copy)]
+pub struct Known<'k> {
+    /// Signs and alphabets.
+    pub lexicon: &'k Lexicon,
+    /// Names of non-manual values and places.
+    pub vocabulary: &'k Vocabulary,
+    /// What operators look up.
+    pub tables: Tables<'k>,
+}
+
 /// A line that was read.
 #[derive(Debug, Clone, Default)]
 pub struct Reading {
@@ -93,20 +106,24 @@ impl Reading {
 ///
 /// ```
 /// use chereme::notation::{Lexicon, Vocabulary, lexicon::embedded};
-/// use chereme::score::gloss::{Settings, read};
+/// use chereme::phonology::{LocationInventory, movement_table::MovementTable, operator::Tables};
+/// use chereme::score::gloss::{Known, Settings, read};
+/// let (locations, movements) = (LocationInventory::builtin(), MovementTable::embedded());
 /// let vocabulary = Vocabulary::builtin();
 /// let mut lexicon = Lexicon::default();
 /// lexicon.add(embedded(), &vocabulary);
-/// let reading = read("BONJOUR, {brows raised: CHIEN}", &lexicon, &vocabulary, &Settings::default());
+/// let tables = Tables { locations: &locations, movements: &movements };
+/// let known = Known { lexicon: &lexicon, vocabulary: &vocabulary, tables };
+/// let reading = read("BONJOUR, {brows raised: BOL@left} fs(LSF)", &known, &Settings::default());
 /// assert_eq!(reading.diagnostics, []);
 /// assert_eq!(reading.language, "lsf");
-/// assert_eq!(reading.plan.items.len(), 3);
+/// assert_eq!(reading.plan.items.len(), 4);
 /// ```
-pub fn read(text: &str, lexicon: &Lexicon, vocabulary: &Vocabulary, settings: &Settings) -> Reading {
+pub fn read(text: &str, known: &Known, settings: &Settings) -> Reading {
     let (line, mut diagnostics) = parse(text);
-    let language = settings.language.clone().or_else(|| lookup::language(&line, lexicon)).unwrap_or_default();
-    let lookup = lookup::Lookup { lexicon, language: &language, settings };
-    let plan = line::lower(&line, text, &lookup, vocabulary, &mut diagnostics);
+    let language = settings.language.clone().or_else(|| lookup::language(&line, known.lexicon)).unwrap_or_default();
+    let lookup = lookup::Lookup { lexicon: known.lexicon, language: &language, settings };
+    let plan = line::lower(&line, text, &lookup, known, &mut diagnostics);
     diagnostics.sort_by_key(|d| d.span.start);
     Reading { line, language, plan, diagnostics }
 }
