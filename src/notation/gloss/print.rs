@@ -2,10 +2,11 @@
 
 use super::parse::is_reserved;
 use super::syntax::{Face, GlossLine, Head, Item, Pause, Signed, Site, What};
+use crate::diagnostics::Spanned;
 use crate::notation::lex::quote;
 use crate::notation::print::words::{bare, cell_words, duration, nonmanual};
-use crate::notation::syntax::Duration;
-use crate::phonology::Hand;
+use crate::notation::syntax::{Duration, NonManual};
+use crate::phonology::{Channel, Hand, Space};
 
 /// Prints a line; what is printed reads back as the same line.
 ///
@@ -49,10 +50,20 @@ fn length(long: Option<Duration>) -> String {
 }
 
 fn face(face: &Face, out: &mut String) {
-    let values: Vec<String> = face.values.iter().map(|(c, v)| format!("{} {}", c.value.name(), nonmanual(v))).collect();
-    out.push_str(&format!("{{{}: ", values.join(", ")));
+    out.push_str(&format!("{{{}: ", face_text(&face.values)));
     items(&face.items, out);
     out.push('}');
+}
+
+/// What head, trunk and face do: `brows raised, head tilted-left`.
+pub(crate) fn face_text(values: &[(Spanned<Channel>, NonManual)]) -> String {
+    let values: Vec<String> = values.iter().map(|(c, v)| format!("{} {}", c.value.name(), nonmanual(v))).collect();
+    values.join(", ")
+}
+
+/// A cell of the grid in words: `left-high`.
+pub(crate) fn cell_text(cell: Space) -> String {
+    cell_words(cell).join("-")
 }
 
 /// A sign with its suffixes, as the gloss tier shows it.
@@ -60,7 +71,7 @@ pub(crate) fn signed(v: &Signed) -> String {
     let mut text = match &v.head.value {
         Head::Gloss(name) if is_reserved(name) => quote(name),
         Head::Gloss(name) => name_text(name),
-        Head::Pointing(Site::Space(cell)) => format!("IX@{}", cell_words(*cell).join("-")),
+        Head::Pointing(Site::Space(cell)) => format!("IX@{}", cell_text(*cell)),
         Head::Pointing(site) => format!("IX({})", site_text(site)),
         Head::Wrist(site) => format!("wrist({})", site_text(site)),
         Head::Spelled(word) => format!("fs({})", self::word(word)),
@@ -91,7 +102,7 @@ fn name_text(name: &str) -> String {
 /// A site without its bracket.
 fn site_text(site: &Site) -> String {
     match site {
-        Site::Space(cell) => cell_words(*cell).join("-"),
+        Site::Space(cell) => cell_text(*cell),
         Site::Point([x, y, z]) => format!("{x},{y},{z}"),
         Site::Referent(name) if super::parse::is_place(name) => quote(name),
         Site::Referent(name) => name_text(name),

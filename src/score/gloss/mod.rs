@@ -8,10 +8,13 @@
 //! The labels of the plan's items are the glosses as written. A pause is a hold: 0.2 s for a comma, 0.5 s for a point.
 //! Of two values of one channel, the inner braces' holds within them.
 
+mod explain;
 mod line;
 mod lookup;
 mod signed;
 mod spelling;
+
+pub use explain::explain;
 
 use super::plan::Plan;
 use crate::diagnostics::{Diagnostic, Severity};
