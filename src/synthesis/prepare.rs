@@ -50,7 +50,11 @@ pub(super) fn prepare<'p>(stage: &Stage, plan: &'p Plan) -> Result<Vec<Prepared<
     for (item, what) in plan.items.iter().enumerate() {
         if let Act::Sign(sign) = &what.act {
             let hands = stage.planner().plan(sign).map_err(|e| e.context(&what.gloss))?;
-            all.push(Prepared { item, sign, hands, states_its_time: states_its_time(sign) });
+            let mut prepared = Prepared { item, sign, hands, states_its_time: states_its_time(sign) };
+            if let Some(relocation) = &sign.relocated {
+                stage.relocate(&mut prepared, &relocation.place).map_err(|e| e.context(&what.gloss))?;
+            }
+            all.push(prepared);
         }
     }
     Ok(all)
