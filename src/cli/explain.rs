@@ -1,9 +1,9 @@
 //! `chereme explain`
 
 use super::{Failure, Sources, files, terminal, world};
-use crate::diagnostics::Severity;
-use crate::notation::lexicon::language_of_path;
-use crate::notation::{explain, read};
+use crate::notation::{explain, explain_derived};
+use crate::phonology::Sign;
+use crate::phonology::recombination::Recombination;
 use std::path::{Path, PathBuf};
 
 #[derive(Debug, clap::Args)]
@@ -27,21 +27,20 @@ impl Explain {
             let lexicon = world::lexicon(sources, &vocabulary)?;
             let found = lexicon.find(&self.what, self.language.as_deref());
             let entry = found.map_err(|e| Failure::Faults(Some(e.to_string())))?;
-            terminal::out(&explain(&entry.sign));
+            terminal::out(&explained(&entry.sign, entry.derived.as_ref()));
             return Ok(());
         }
-        let mut faults = false;
-        let mut first = true;
-        for text in files::read_all(&[PathBuf::from(&self.what)])? {
-            let mut reading = read(&text.source.text, &vocabulary, language_of_path(&text.source.name));
-            reading.diagnostics.extend(text.fault);
-            terminal::tell(&reading.diagnostics, &text.source);
-            faults |= reading.diagnostics.iter().any(|d| d.severity == Severity::Fault);
-            for lowered in &reading.signs {
-                let gap = if std::mem::take(&mut first) { "" } else { "\n" };
-                terminal::out(&format!("{gap}{}", explain(&lowered.sign)));
-            }
-        }
+        let texts = files::read_all(&[PathBuf::from(&self.what)])?;
+        let (described, faults) = world::described(sources, &vocabulary, texts)?;
+        let all: Vec<String> = described.iter().map(|d| explained(&d.sign, d.from.as_ref())).collect();
+        terminal::out(&all.join("\n"));
         if faults { Err(Failure::Faults(None)) } else { Ok(()) }
+    }
+}
+
+fn explained(sign: &Sign, from: Option<&Recombination>) -> String {
+    match from {
+        None => explain(sign),
+        Some(from) => explain_derived(sign, from),
     }
 }

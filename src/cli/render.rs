@@ -1,11 +1,10 @@
 //! `chereme render`: signs to motion, as pages or files.
 
 use super::{Failure, Sources, files, terminal, world};
-use crate::diagnostics::{Error, Severity};
+use crate::diagnostics::Error;
 use crate::format::{glb, html};
 use crate::motion::easing::Easing;
-use crate::notation::lexicon::language_of_path;
-use crate::notation::{Vocabulary, read};
+use crate::notation::Vocabulary;
 use crate::phonology::Sign;
 use crate::synthesis::{Grammar, Options, Performance, synthesize};
 use crate::time::Fps;
@@ -140,13 +139,9 @@ impl Render {
                 signs.push(entry.map_err(|e| Failure::Faults(Some(e.to_string())))?.sign.clone());
                 continue;
             }
-            for text in files::read_all(&[path.to_owned()])? {
-                let mut reading = read(&text.source.text, vocabulary, language_of_path(&text.source.name));
-                reading.diagnostics.extend(text.fault);
-                terminal::tell(&reading.diagnostics, &text.source);
-                faulty |= reading.diagnostics.iter().any(|d| d.severity == Severity::Fault);
-                signs.extend(reading.signs.into_iter().map(|s| s.sign));
-            }
+            let (described, faults) = world::described(sources, vocabulary, files::read_all(&[path.to_owned()])?)?;
+            faulty |= faults;
+            signs.extend(described.into_iter().map(|d| d.sign));
         }
         if !self.sign.is_empty() {
             let wanted: Vec<String> = self.sign.iter().map(|n| crate::phonology::grammar::fold(n)).collect();

@@ -23,11 +23,11 @@ pub mod suggest;
 pub mod syntax;
 pub mod vocabulary;
 
-pub use explain::explain;
+pub use explain::{explain, explain_derived};
 pub use lexicon::{Entry, Lexicon};
-pub use lower::{Lowered, lower};
+pub use lower::{Derived, Lowered, Lowering, lower};
 pub use parse::parse;
 pub use print::print;
 pub use raise::{raise, write};
-pub use read::{Reading, read, source_of_bytes};
+pub use read::{Reading, operators, read, source_of_bytes};
 pub use vocabulary::{Names, Vocabulary};

@@ -24,6 +24,7 @@ pub mod nonmanual;
 pub mod operator;
 pub mod orientation;
 pub mod placement;
+pub mod recombination;
 pub mod roll;
 pub mod sign;
 pub mod symmetry;

@@ -7,6 +7,7 @@ mod movement;
 pub(crate) mod nonmanual;
 mod orientation;
 pub(crate) mod placement;
+pub(crate) mod recombination;
 mod tier;
 mod whole;
 pub(crate) mod words;
@@ -143,11 +144,9 @@ fn sign<'a>(input: Tokens<'a>) -> Parsed<'a, Content> {
         return told(Diagnostic::fault(rest.span(), "the name of this sign is empty").label("here"));
     }
     if after.is(Kind::Equals) {
-        return told(
-            Diagnostic::fault(after.span(), "signs made from other signs (recombination) are not available yet")
-                .label("here")
-                .hint("describe the sign by its own tiers for now"),
-        );
+        let (end, made) = must(recombination::expression(after.skip()))?;
+        let name = name.trim().nfc().collect();
+        return Ok((end, Content::Sign(Spanned::new(name, rest.span()), Some(made))));
     }
     if after.is(Kind::Word) {
         let all: Vec<&str> = rest.all().iter().take_while(|t| t.kind == Kind::Word).map(|t| t.text).collect();
@@ -158,7 +157,7 @@ fn sign<'a>(input: Tokens<'a>) -> Parsed<'a, Content> {
         );
     }
     let name = name.trim().nfc().collect();
-    Ok((after, Content::Sign(Spanned::new(name, rest.span()))))
+    Ok((after, Content::Sign(Spanned::new(name, rest.span()), None)))
 }
 
 fn tier<'a>(input: Tokens<'a>, hand: Option<Hand>) -> Parsed<'a, Value> {

@@ -129,7 +129,7 @@ pub(crate) fn place<'a>(input: Tokens<'a>, depth: usize) -> Parsed<'a, Place> {
         return space(input.skip());
     }
     if is_word(input, "point") {
-        return point(input.skip());
+        return point(input.skip()).map(|(rest, at)| (rest, Place::Point(at)));
     }
     if is_word(input, "pointing") {
         let (rest, ()) = must(keyword("at")(input.skip()))?;
@@ -194,7 +194,7 @@ pub(crate) fn take_step(cell: &mut Space, axis: usize, value: i8) {
     }
 }
 
-fn point<'a>(input: Tokens<'a>) -> Parsed<'a, Place> {
+pub(crate) fn point<'a>(input: Tokens<'a>) -> Parsed<'a, [f64; 3]> {
     let mut at = [0.0; 3];
     let mut rest = input;
     for coordinate in &mut at {
@@ -208,7 +208,7 @@ fn point<'a>(input: Tokens<'a>) -> Parsed<'a, Place> {
         *coordinate = value;
         rest = after;
     }
-    Ok((rest, Place::Point(at)))
+    Ok((rest, at))
 }
 
 fn three_numbers(error: nom::Err<super::input::Mistake>, at: Tokens) -> nom::Err<super::input::Mistake> {

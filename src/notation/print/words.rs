@@ -82,7 +82,7 @@ fn side(side: Side) -> &'static str {
     }
 }
 
-fn place(v: &Place) -> String {
+pub(super) fn place(v: &Place) -> String {
     match v {
         Place::Named(name) => bare(&name.value, &placement::STOPS, &placement::HEADS),
         Place::OtherHand(point) => format!("other {point}"),
@@ -322,7 +322,7 @@ fn repetition_text(v: Repetition) -> String {
     format!("{word} {}{}", v.times, growth(v.growth))
 }
 
-fn growth(v: i8) -> String {
+pub(super) fn growth(v: i8) -> String {
     let word = match v {
         0 => return String::new(),
         1.. => "growing",
