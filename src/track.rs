@@ -3,6 +3,9 @@
 use crate::motion::clip::Clip;
 use crate::tier::Tier;
 
+/// The values of the Phase tiers, in the order in which a sign has them.
+pub const PHASES: [&str; 4] = ["preparation", "stroke", "hold", "retraction"];
+
 /// A clip with its tiers; what `synthesis` makes, `format` writes and `dance` moves to music.
 ///
 /// Tiers are named `RH`/`LH` × Gloss, Phase, Configuration, Placement, Orientation, Movement, plus

@@ -68,9 +68,7 @@ pub(super) fn of_sign(sign: &Sign, timeline: &Timeline, plans: &[HandPlan]) -> V
         tiers.push(keyed("Contact", &sign.contact, timeline, contact_label, STATED));
     }
     for (channel, values) in &sign.nonmanual {
-        let name = channel.name();
-        let title = format!("{}{}", name[..1].to_uppercase(), &name[1..]);
-        tiers.push(keyed(&title, values, timeline, non_manual_label, STATED));
+        tiers.push(keyed(&channel.title(), values, timeline, non_manual_label, STATED));
     }
     tiers.retain(|t| !t.values().is_empty());
     tiers

@@ -21,7 +21,7 @@ pub(super) struct Render {
     /// Files or folders of signs, names of signs, or - for standard input
     #[arg(value_name = "FILE|NAME", required = true)]
     what: Vec<String>,
-    /// Where to: a file (.html or .glb), a folder (ending in /) for one file a sign, or - for standard output; repeatable
+    /// Where to: a file (.html, .glb, .eaf), a folder (ending in /) for one file a sign, or - for standard output; repeatable
     #[arg(short, long, value_name = "OUT", required = true)]
     output: Vec<String>,
     /// Formats written into folders and to standard output
@@ -56,9 +56,9 @@ pub(super) struct Render {
 impl Render {
     pub(super) fn run(&self, sources: &Sources) -> Result<(), Failure> {
         let options = self.options()?;
-        let outputs = Outputs::of(self)?;
         let grammar = world::grammar(sources)?;
         let vocabulary = Vocabulary::of(&grammar.handshapes, &grammar.locations, &grammar.expressions);
+        let outputs = Outputs::of(self, &vocabulary)?;
         let Request { asked, mut faulty } = input::request(self, sources, &vocabulary)?;
         if asked.is_empty() && !faulty {
             return Err(Failure::Faults(Some("there is no sign to render".into())));

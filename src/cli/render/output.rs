@@ -5,8 +5,11 @@ use super::Render;
 use super::input::Asked;
 use crate::avatar;
 use crate::diagnostics::Error;
-use crate::format::{glb, html};
-use crate::track::Track;
+use crate::format::{eaf, glb, html};
+use crate::notation::Vocabulary;
+use crate::notation::vocabulary::Names;
+use crate::track::{PHASES, Track};
+use clap::ValueEnum;
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
@@ -17,15 +20,16 @@ pub(super) enum Format {
     Html,
     /// Binary glTF 2.0: the avatar with its animation
     Glb,
+    /// The tiers, for ELAN
+    Eaf,
 }
 
 impl Format {
-    const ALL: [Format; 2] = [Format::Html, Format::Glb];
-
     fn extension(self) -> &'static str {
         match self {
             Format::Html => "html",
             Format::Glb => "glb",
+            Format::Eaf => "eaf",
         }
     }
 
@@ -35,8 +39,9 @@ impl Format {
         if extension == "htm" {
             return Ok(Format::Html);
         }
-        Format::ALL.into_iter().find(|f| f.extension() == extension).ok_or_else(|| {
-            let known = Format::ALL.map(|f| format!(".{}", f.extension())).join(", ");
+        let all = Format::value_variants();
+        all.iter().copied().find(|f| f.extension() == extension).ok_or_else(|| {
+            let known = all.iter().map(|f| format!(".{}", f.extension())).collect::<Vec<_>>().join(", ");
             Failure::Usage(match extension.as_str() {
                 "" => format!("-o {}: end it in {known}, or in / for a folder", path.display()),
                 other => format!("-o {}: .{other} cannot be written; {known} can", path.display()),
@@ -44,10 +49,11 @@ impl Format {
         })
     }
 
-    fn bytes(self, asked: &Asked, track: &Track) -> Result<Vec<u8>, Error> {
+    fn bytes(self, asked: &Asked, track: &Track, vocabulary: &Vocabulary) -> Result<Vec<u8>, Error> {
         match self {
             Format::Html => html::write(avatar::GLB, track, &asked.page).map(String::into_bytes),
             Format::Glb => glb::write(avatar::GLB, track),
+            Format::Eaf => eaf::write(&track.tiers, &document(asked, vocabulary)).map(String::into_bytes),
         }
     }
 }
@@ -78,16 +84,17 @@ impl Target {
 pub(super) struct Outputs<'a> {
     targets: Vec<Target>,
     command: &'a Render,
+    vocabulary: &'a Vocabulary,
 }
 
-impl Outputs<'_> {
-    /// Reads the `-o` options.
-    pub(super) fn of(command: &Render) -> Result<Outputs<'_>, Failure> {
+impl<'a> Outputs<'a> {
+    /// Reads the `-o` options. The names of the vocabulary are those that ELAN offers.
+    pub(super) fn of(command: &'a Render, vocabulary: &'a Vocabulary) -> Result<Outputs<'a>, Failure> {
         let targets = command.output.iter().map(|o| Target::of(o)).collect::<Result<Vec<_>, _>>()?;
         if command.format.len() > 1 && targets.iter().any(|t| matches!(t, Target::StandardOutput)) {
             return Err(Failure::Usage("one format goes to standard output: choose it with --format".into()));
         }
-        Ok(Outputs { targets, command })
+        Ok(Outputs { targets, command, vocabulary })
     }
 
     /// Says what cannot be written, before the work: several things into one file, one file twice, a file that is
@@ -131,7 +138,9 @@ impl Outputs<'_> {
 
     /// Writes a performance everywhere; gives the files.
     pub(super) fn write(&self, asked: &Asked, track: &Track) -> Result<Vec<PathBuf>, Failure> {
-        let bytes = |format: Format| format.bytes(asked, track).map_err(|e| Failure::Faults(Some(e.to_string())));
+        let bytes = |format: Format| {
+            format.bytes(asked, track, self.vocabulary).map_err(|e| Failure::Faults(Some(e.to_string())))
+        };
         if self.targets.iter().any(|t| matches!(t, Target::StandardOutput)) {
             for format in &self.command.format {
                 terminal::out_bytes(&bytes(*format)?);
@@ -147,5 +156,21 @@ impl Outputs<'_> {
             written.push(path);
         }
         Ok(written)
+    }
+}
+
+/// What an EAF file says besides the tiers.
+fn document(asked: &Asked, vocabulary: &Vocabulary) -> eaf::Document {
+    let all = |kind: &str, names: &Names| (kind.to_owned(), names.ids().map(str::to_owned).collect());
+    let mut vocabularies: Vec<(String, Vec<String>)> = vec![
+        ("Phase".into(), PHASES.map(str::to_owned).to_vec()),
+        all("Configuration", &vocabulary.handshapes),
+        all("Placement", &vocabulary.places),
+    ];
+    vocabularies.extend(vocabulary.nonmanuals.iter().map(|(channel, names)| all(&channel.title(), names)));
+    eaf::Document {
+        participant: "avatar".into(),
+        language: asked.page.language.clone(),
+        vocabularies: vocabularies.into_iter().map(|(kind, values)| eaf::Vocabulary { kind, values }).collect(),
     }
 }
