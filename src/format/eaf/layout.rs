@@ -81,8 +81,8 @@ pub(super) fn layout<'a>(tiers: &'a [Tier], vocabularies: &'a [Vocabulary]) -> L
     let names: Vec<Cow<str>> = tiers.iter().map(|t| clean(&t.name)).collect();
     let spans: Vec<Vec<Span>> = tiers.iter().map(|t| spans(t.values())).collect();
     let gloss_of = |i: usize| {
-        let hand = hand_and_kind(&names[i]).0?;
-        (0..tiers.len()).find(|&g| g != i && hand_and_kind(&names[g]) == (Some(hand), GLOSS))
+        let (Some(hand), kind) = hand_and_kind(&names[i]) else { return None };
+        (0..tiers.len()).find(|&g| kind != GLOSS && hand_and_kind(&names[g]) == (Some(hand), GLOSS))
     };
     let fits = |i: usize| gloss_of(i).is_some_and(|g| spans[i].iter().all(|s| lies_within(*s, &spans[g])));
 
