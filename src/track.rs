@@ -3,8 +3,8 @@
 use crate::motion::clip::Clip;
 use crate::tier::Tier;
 
-/// The values of the Phase tiers, in the order in which a sign has them.
-pub const PHASES: [&str; 4] = ["preparation", "stroke", "hold", "retraction"];
+/// The values of the Phase tiers, in the order in which signs have them; a transition leads from one sign to the next.
+pub const PHASES: [&str; 5] = ["preparation", "transition", "stroke", "hold", "retraction"];
 
 /// A clip with its tiers; what `synthesis` makes, `format` writes and `dance` moves to music.
 ///

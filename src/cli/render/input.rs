@@ -8,6 +8,7 @@ use crate::notation::lexicon::language_of_path;
 use crate::notation::{Vocabulary, read};
 use crate::phonology::Sign;
 use crate::phonology::grammar::fold;
+use crate::score::plan::Plan;
 use std::path::Path;
 
 /// One thing to render: it becomes one performance, and one file in each format.
@@ -15,7 +16,7 @@ pub(super) struct Asked {
     /// The name of its files and of its messages.
     pub name: String,
     /// What is signed.
-    pub sign: Sign,
+    pub plan: Plan,
     /// What a page says of it beside the motion.
     pub page: Page,
 }
@@ -81,5 +82,5 @@ fn of_sign(sign: Sign) -> Asked {
     facts.push(("status".into(), status));
     facts.extend(sign.note.iter().map(|n| ("note".into(), n.clone())));
     let page = Page { title: sign.name.clone(), language: sign.language.clone(), facts };
-    Asked { name: sign.name.clone(), sign, page }
+    Asked { name: sign.name.clone(), plan: Plan::of(sign), page }
 }

@@ -8,14 +8,14 @@ use crate::avatar;
 use crate::diagnostics::Error;
 use crate::motion::easing::Easing;
 use crate::notation::Vocabulary;
-use crate::synthesis::{Options, synthesize};
+use crate::synthesis::{Options, synthesize_plan};
 use crate::time::Fps;
 use input::Request;
 use output::{Format, Outputs};
 
 #[derive(Debug, clap::Args)]
 #[command(
-    after_help = "Examples:\n  chereme render lexicon/lsf/bol.sign -o bol.html      a page: the avatar signs, open it in a browser\n  chereme render BOL -o bol.html -o bol.glb             several outputs at once\n  chereme render lexicon/lsf -o pages/                  one page a sign, into a folder\n  chereme render lexicon/lsf/alphabet.sign --sign A,B -o letters/ --format html,glb\n  chereme render BOL --speed 0.5 --easing minimum-jerk -o slow.html"
+    after_help = "Examples:\n  chereme render lexicon/lsf/bol.sign -o bol.html      a page: the avatar signs, open it in a browser\n  chereme render BOL -o bol.html -o bol.glb -o bol.eaf  several outputs at once\n  chereme render lexicon/lsf -o pages/                  one page a sign, into a folder\n  chereme render lexicon/lsf/alphabet.sign --sign A,B -o letters/ --format html,glb\n  chereme render BOL --speed 0.5 --easing minimum-jerk -o slow.html"
 )]
 pub(super) struct Render {
     /// Files or folders of signs, names of signs, or - for standard input
@@ -68,7 +68,7 @@ impl Render {
         let signer = avatar::signer().map_err(failed)?;
         for asked in &asked {
             // What one sign cannot do does not keep the others from being written.
-            let performance = match synthesize(&asked.sign, &grammar, &signer, &options) {
+            let performance = match synthesize_plan(&asked.plan, &grammar, &signer, &options) {
                 Ok(performance) => performance,
                 Err(error) => {
                     terminal::err(&format!("chereme: {error}\n"));

@@ -20,7 +20,7 @@ pub(super) enum Format {
     Html,
     /// Binary glTF 2.0: the avatar with its animation
     Glb,
-    /// The tiers, for ELAN
+    /// The tiers as ELAN annotations
     Eaf,
 }
 
