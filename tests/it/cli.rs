@@ -189,7 +189,7 @@ fn render_writes_pages_and_files_and_overwrites_nothing_unasked() {
     assert!(page.starts_with("<!doctype html>") && page.contains("RH Phase") && page.contains("unverified"));
     assert!(fs::read(folder.0.join("bol.glb")).unwrap().starts_with(b"glTF"));
     let tiers = fs::read_to_string(folder.0.join("bol.eaf")).unwrap();
-    assert!(tiers.contains("TIER_ID=\"LH Configuration\"") && tiers.contains(">round-B</CVE_VALUE>"), "{tiers}");
+    assert!(tiers.contains("TIER_ID=\"LH Movement\"") && tiers.contains(">retraction</CVE_VALUE>"));
     let piped = run(&folder.0, &["render", "bol.sign", "-o", "-", "--format", "eaf"], "");
     assert_eq!((piped.code, piped.out), (0, tiers));
     let again = run(&folder.0, &["render", "bol.sign", "-o", "bol.glb"], "");

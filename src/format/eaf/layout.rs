@@ -8,6 +8,8 @@ use std::collections::{BTreeMap, BTreeSet};
 
 /// The kind of tier that other tiers of the same hand hang on.
 pub(super) const GLOSS: &str = "Gloss";
+/// Kinds that hang on nothing: preparation and retraction lie outside the gloss.
+const ROOTS: [&str; 2] = [GLOSS, "Phase"];
 /// Later instants are written as this one, in milliseconds (24 days).
 const LATEST_MS: f64 = i32::MAX as f64;
 
@@ -82,26 +84,18 @@ pub(super) fn layout<'a>(tiers: &'a [Tier], vocabularies: &'a [Vocabulary]) -> L
     let spans: Vec<Vec<Span>> = tiers.iter().map(|t| spans(t.values())).collect();
     let gloss_of = |i: usize| {
         let (Some(hand), kind) = hand_and_kind(&names[i]) else { return None };
-        (0..tiers.len()).find(|&g| kind != GLOSS && hand_and_kind(&names[g]) == (Some(hand), GLOSS))
+        (0..tiers.len()).find(|&g| !ROOTS.contains(&kind) && hand_and_kind(&names[g]) == (Some(hand), GLOSS))
     };
-    let fits = |i: usize| gloss_of(i).is_some_and(|g| spans[i].iter().all(|s| lies_within(*s, &spans[g])));
-
     let mut kinds: Vec<Kind> = Vec::new();
     let mut kind_of = Vec::new();
     for (i, tier) in tiers.iter().enumerate() {
         let name = hand_and_kind(&names[i]).1;
         let at = kinds.iter().position(|k| k.name == name).unwrap_or_else(|| {
-            let offered = vocabularies.iter().find(|v| clean(&v.kind) == name);
-            let vocabulary = offered.map(|v| {
-                let mut entries = Entries::default();
-                v.values.iter().for_each(|value| entries.add(clean(value)));
-                entries
-            });
-            kinds.push(Kind { name: name.to_owned(), included: true, vocabulary });
+            kinds.push(Kind { name: name.to_owned(), included: true, vocabulary: offered(name, vocabularies) });
             kinds.len() - 1
         });
         // One tier that does not fit frees all tiers of its kind: a kind has one rule.
-        kinds[at].included &= fits(i);
+        kinds[at].included &= gloss_of(i).is_some_and(|g| spans[i].iter().all(|s| lies_within(*s, &spans[g])));
         if let Some(entries) = &mut kinds[at].vocabulary {
             tier.values().iter().for_each(|v| entries.add(clean(&v.label)));
         }
@@ -110,26 +104,34 @@ pub(super) fn layout<'a>(tiers: &'a [Tier], vocabularies: &'a [Vocabulary]) -> L
 
     let mut taken = BTreeSet::new();
     let own: Vec<String> = names.iter().map(|n| unique(n, &mut taken)).collect();
-    let (slots, mut slot_pairs) = slots(&spans);
-    let rows = tiers.iter().enumerate().map(|(i, tier)| Row {
-        kind: kind_of[i],
-        parent: gloss_of(i).filter(|_| kinds[kind_of[i]].included).map(|g| own[g].clone()),
-        sources: tier
-            .values()
-            .iter()
-            .any(|v| !v.source.is_empty())
-            .then(|| unique(&format!("{} Source", own[i]), &mut taken)),
-        annotations: tier
-            .values()
-            .iter()
-            .zip(slot_pairs.by_ref())
-            .map(|(v, (begin, end))| Annotation { begin, end, label: clean(&v.label), source: clean(&v.source) })
-            .collect(),
-        name: own[i].clone(),
-    });
-    let rows = rows.collect();
+    let (slots, mut places) = slots(&spans);
+    let mut rows = Vec::new();
+    for (i, tier) in tiers.iter().enumerate() {
+        let sourced = tier.values().iter().any(|v| !v.source.is_empty());
+        let annotation = |(value, (begin, end)): (&'a TierValue, (usize, usize))| Annotation {
+            begin,
+            end,
+            label: clean(&value.label),
+            source: clean(&value.source),
+        };
+        rows.push(Row {
+            name: own[i].clone(),
+            kind: kind_of[i],
+            parent: gloss_of(i).filter(|_| kinds[kind_of[i]].included).map(|g| own[g].clone()),
+            sources: sourced.then(|| unique(&format!("{} Source", own[i]), &mut taken)),
+            annotations: tier.values().iter().zip(places.by_ref()).map(annotation).collect(),
+        });
+    }
     let mut kind_names = kinds.iter().map(|k| k.name.clone()).collect();
     Layout { slots, rows, source_kind: unique("Source", &mut kind_names), kinds }
+}
+
+/// The values that are offered for a kind of tier, where its vocabulary is given.
+fn offered<'a>(kind: &str, vocabularies: &'a [Vocabulary]) -> Option<Entries<'a>> {
+    let vocabulary = vocabularies.iter().find(|v| clean(&v.kind) == kind)?;
+    let mut entries = Entries::default();
+    vocabulary.values.iter().for_each(|value| entries.add(clean(value)));
+    Some(entries)
 }
 
 /// From and to, in milliseconds; `from < to`.
