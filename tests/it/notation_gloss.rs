@@ -5,7 +5,9 @@ use chereme::diagnostics::render::render;
 use chereme::diagnostics::{Source, Span, Spanned};
 use chereme::notation::gloss::syntax::*;
 use chereme::notation::gloss::{parse, print};
-use chereme::notation::syntax::{Distance, Duration, Ignored, NonManual, NonManualWhat, Place, Placement};
+use chereme::notation::syntax::{
+    Configuration, Distance, Duration, Ignored, NonManual, NonManualWhat, Operator, Place, Placement,
+};
 use chereme::phonology::{Amount, Channel, Hand, Space};
 use proptest::collection::vec;
 use proptest::option::of;
@@ -65,18 +67,30 @@ fn site() -> impl Strategy<Value = Site> {
     ]
 }
 
+/// A few operators; what they may hold is tested with signs made from others.
+fn operators() -> impl Strategy<Value = Vec<Operator>> {
+    let configuration = name().prop_map(|n| {
+        Operator::Configuration(None, vec![Configuration { base: here(n), between: None, changes: Vec::new() }])
+    });
+    let some = vec![Operator::Inverted, Operator::Mirrored, Operator::Speed(1.3), Operator::Size(2.0)];
+    prop_oneof![3 => Just(Vec::new()), 1 => vec(prop_oneof![select(some), configuration], 1..3)]
+}
+
 fn signed() -> impl Strategy<Value = Signed> {
     let hand = select(Hand::BOTH.to_vec());
     let gloss = (name(), of(site()), 1u8..20).prop_map(|(name, site, n)| (Head::Gloss(name), site, n));
     let spelled = (name(), of(site())).prop_map(|(word, site)| (Head::Spelled(word), site, 1));
     let pointing = (site(), any::<bool>(), 1u8..4)
         .prop_map(|(site, wrist, n)| (if wrist { Head::Wrist(site) } else { Head::Pointing(site) }, None, n));
-    (prop_oneof![3 => gloss, 1 => spelled, 1 => pointing], hand).prop_map(|((head, site, performances), hand)| Signed {
-        head: here(head),
-        hand,
-        site: site.map(here),
-        performances: here(performances),
-    })
+    (prop_oneof![3 => gloss, 1 => spelled, 1 => pointing], hand, operators()).prop_map(
+        |((head, site, performances), hand, operators)| Signed {
+            head: here(head),
+            hand,
+            site: site.map(here),
+            performances: here(performances),
+            operators: here(operators),
+        },
+    )
 }
 
 fn duration() -> impl Strategy<Value = Option<Duration>> {

@@ -135,6 +135,17 @@ fn signs(reading: &Reading) -> Vec<&Sign> {
 }
 
 #[test]
+fn operators_change_a_sign_before_it_is_repeated() {
+    let line = sound("TOI BOL[with configuration U, slow]++ IX(0.5,1.3,0.6)[with configuration flat]");
+    let all = signs(&line);
+    assert_eq!(all[1].strong.configuration.at(0).unwrap().base, "U");
+    assert_eq!(all[2].strong.configuration.at(0).unwrap().base, "flat");
+    assert!(all[1].speed < 1.0 && all[1].intervals > 3);
+    assert!(messages("BOL[with configuration flot]")[0].contains("did you mean `flat`"));
+    assert!(messages("BOL[invertd]")[0].contains("did you mean `inverted`"));
+}
+
+#[test]
 fn each_plus_adds_a_performance() {
     let line = sound("BOL TRAVAIL++");
     let all = signs(&line);

@@ -4,6 +4,7 @@ use super::parse::is_reserved;
 use super::syntax::{Face, GlossLine, Head, Item, Pause, Signed, Site, What};
 use crate::diagnostics::Spanned;
 use crate::notation::lex::quote;
+use crate::notation::print::recombination::operators;
 use crate::notation::print::words::{bare, cell_words, duration, nonmanual};
 use crate::notation::syntax::{Duration, NonManual};
 use crate::phonology::{Channel, Hand, Space};
@@ -83,6 +84,9 @@ pub(crate) fn signed(v: &Signed) -> String {
         }
     }
     text.extend(std::iter::repeat_n('+', usize::from(v.performances.value.saturating_sub(1))));
+    if !v.operators.value.is_empty() {
+        text.push_str(&format!("[{}]", operators(&v.operators.value)));
+    }
     match v.hand {
         Hand::Strong => text,
         Hand::Weak => format!("weak({text})"),

@@ -1,7 +1,7 @@
 //! What was written in a gloss line: items with their spans, names not looked up.
 
 use crate::diagnostics::{Span, Spanned};
-use crate::notation::syntax::{Duration, Ignored, NonManual};
+use crate::notation::syntax::{Duration, Ignored, NonManual, Operator};
 use crate::phonology::{Channel, Hand, Space};
 
 /// A whole line.
@@ -72,6 +72,8 @@ pub struct Signed {
     pub site: Option<Spanned<Site>>,
     /// How often it is made in all: one, and one for each `+`.
     pub performances: Spanned<u8>,
+    /// `[inverted, big]`: how it is changed; empty where it is not.
+    pub operators: Spanned<Vec<Operator>>,
 }
 
 /// Which sign.

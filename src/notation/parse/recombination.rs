@@ -14,7 +14,7 @@ use super::placement::{place, placement, point};
 use super::whole::{relocation, speed};
 use super::words::{duration, is_one_of, is_word, keyword, mark, number, text};
 use crate::diagnostics::{Diagnostic, Spanned};
-use crate::notation::lex::{Kind, lex};
+use crate::notation::lex::{Dialect, Kind, lex};
 use crate::notation::suggest::nearest;
 use crate::notation::syntax::{Base, Expression, Operator};
 use crate::phonology::operator::{BIG, FAST, SIZES, SLOW, SMALL};
@@ -32,20 +32,23 @@ const DEEPEST: usize = 16;
 /// The most parts of a compound.
 const MOST_PARTS: usize = 64;
 
-/// Reads a list of operators that stands alone, such as that between the brackets of a gloss: `inverted, big`.
-/// `offset` is where the text begins in its source.
+/// A list of operators that stands alone, such as that between the brackets of a gloss: `inverted, big`.
+pub(crate) fn operators_alone<'a>(input: Tokens<'a>) -> Parsed<'a, Vec<Operator>> {
+    let (rest, all) = operators(input)?;
+    if rest.is_empty() { Ok((rest, all)) } else { no_operator(rest) }
+}
+
+/// Reads a text that is a list of operators. `offset` is where it begins in its source.
 ///
 /// # Errors
 /// The first fault.
 pub(crate) fn operators_of(written: &str, offset: usize) -> Result<Vec<Operator>, Box<Diagnostic>> {
-    let lexed = lex(written, offset)?;
+    let lexed = lex(written, offset, Dialect::Sign)?;
     let input = Tokens::new(&lexed.tokens);
-    match operators(input) {
-        Ok((rest, all)) if rest.is_empty() => Ok(all),
-        Ok((rest, _)) => no_operator::<()>(rest).map(|_| Vec::new()),
-        Err(error) => Err(error),
+    match operators_alone(input) {
+        Ok((_, all)) => Ok(all),
+        Err(error) => Err(Box::new(super::diagnostic(error, input))),
     }
-    .map_err(|error| Box::new(super::diagnostic(error, input)))
 }
 
 /// `{ [,] OPERATOR }`
@@ -185,7 +188,7 @@ fn up_to_operator<'a>(input: Tokens<'a>, kept: &[&str]) -> (Tokens<'a>, Tokens<'
             Kind::Close => depth -= 1,
             Kind::Word if depth == 0 && is_word(rest, "&") => break,
             Kind::Word if depth == 0 && !open && begins_operator(rest) && !is_one_of(token.text, kept) => break,
-            Kind::Word | Kind::Text | Kind::Comma | Kind::Equals => {}
+            Kind::Word | Kind::Text | Kind::Comma | Kind::Equals | Kind::Mark(_) => {}
         }
         n += 1;
         open = is_one_of(rest.word(), &["then", "pointing"]);

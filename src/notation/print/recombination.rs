@@ -42,6 +42,12 @@ pub(crate) fn expression(made: &Expression) -> String {
     text
 }
 
+/// The operators of a gloss, separated by commas. A movement takes a `fast` after it for its own, so no list that was read has
+/// one there.
+pub(crate) fn operators(all: &[Operator]) -> String {
+    all.iter().map(operator).collect::<Vec<_>>().join(", ")
+}
+
 fn base_name(name: &str) -> String {
     let taken = HEADS.iter().chain(&["then", "&"]).any(|w| w.eq_ignore_ascii_case(name));
     if taken { quote(name) } else { sign_name(name) }

@@ -3,6 +3,7 @@
 use super::Reading;
 use crate::notation::gloss::print::{cell_text, face_text};
 use crate::notation::gloss::syntax::{Face, Head, Item, Signed, Site, What};
+use crate::notation::print::recombination::operators;
 use crate::phonology::{Hand, Sign};
 use crate::score::plan::Act;
 use crate::time::Seconds;
@@ -97,6 +98,9 @@ fn signed(written: &Signed, sign: Option<&Sign>) -> String {
             format!("spelled {}", letters.join(" "))
         }
     };
+    if !written.operators.value.is_empty() {
+        words.push_str(&format!(", {}", operators(&written.operators.value)));
+    }
     if written.performances.value > 1 {
         words.push_str(&format!(", made {} times", written.performances.value));
     }

@@ -1,10 +1,11 @@
-//! A sign of a line made: looked up, pointed or spelled, then what is said of it, in this order: how often, on which
-//! hand, where.
+//! A sign of a line made: looked up, pointed or spelled, then what is said of it, in this order: operators, how
+//! often, on which hand, where.
 
 use super::line::Line;
 use super::{Handedness, Missing, spelling};
 use crate::diagnostics::{Diagnostic, Error, Span, Spanned};
 use crate::notation::gloss::syntax::{Head, Signed, Site};
+use crate::notation::lower::operators;
 use crate::phonology::operator::{
     Applied, Operator, apply, for_left_hander, on_each_hand, pointing, swapped, wrist_at,
 };
@@ -45,7 +46,15 @@ pub(super) fn together(line: &mut Line, strong: &Signed, weak: &Signed) -> Optio
 
 /// The sign with its operators and performances, with the strong hand, at its own place.
 fn changed(line: &mut Line, written: &Signed) -> Option<Sign> {
-    let made = head(line, &written.head)?;
+    let mut made = head(line, &written.head)?;
+    let language = made.language.clone();
+    let all = operators(&written.operators.value, line.known.vocabulary, &language, line.diagnostics);
+    if all.len() < written.operators.value.len() {
+        return None;
+    }
+    for operator in &all {
+        made = operated(line, operator, &made, written.operators.span)?;
+    }
     let again = Operator::Repeated { times: written.performances.value, gap: None, growth: 0 };
     operated(line, &again, &made, written.head.span)
 }

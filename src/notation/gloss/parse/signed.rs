@@ -3,10 +3,12 @@
 use super::site::{self, unclosed};
 use crate::diagnostics::{Diagnostic, Span, Spanned};
 use crate::notation::gloss::syntax::{Head, Signed, Site};
-use crate::notation::lex::{Kind, unquote};
+use crate::notation::lex::{Kind, Token, unquote};
 use crate::notation::parse::input::{Parsed, Tokens, expected, must, told};
+use crate::notation::parse::recombination::operators_alone;
 use crate::notation::parse::words::{is_one_of, is_word};
 use crate::notation::suggest::nearest;
+use crate::notation::syntax::Operator;
 use crate::phonology::Hand;
 use unicode_normalization::UnicodeNormalization;
 
@@ -29,7 +31,8 @@ pub(super) fn signed<'a>(input: Tokens<'a>) -> Parsed<'a, Signed> {
     let (rest, head) = head(input)?;
     let head = Spanned::new(head, input.span_to(rest));
     let one = Spanned::new(1, Span::default());
-    let signed = Signed { head, hand: Hand::Strong, site: None, performances: one };
+    let operators = Spanned::new(Vec::new(), Span::default());
+    let signed = Signed { head, hand: Hand::Strong, site: None, performances: one, operators };
     let (rest, signed) = suffixes(input, rest, signed)?;
     separated(input, rest)?;
     Ok((rest, signed))
@@ -118,7 +121,7 @@ fn gloss<'a>(input: Tokens<'a>, name: String) -> Parsed<'a, Head> {
 }
 
 fn pointing<'a>(input: Tokens<'a>) -> Parsed<'a, Head> {
-    let hint = "write `IX(0.6,1.4,0.5)`, `IX@left` or, at a sign made before, `IX(MAISON)`";
+    let hint = "write `IX(0.6,1.4,0.5)`, `IX@left` or, at a sign made before, `IX(MAISON)`; operators stand behind it";
     let rest = input.skip();
     if rest.is_mark('@') && input.touches(rest) {
         let (rest, site) = must(site::site(rest.skip()))?;
@@ -178,10 +181,10 @@ fn no_sign<'a, T>(input: Tokens<'a>) -> Parsed<'a, T> {
 }
 
 fn is_suffix(rest: Tokens) -> bool {
-    rest.is_mark('@') || rest.is_mark('+')
+    rest.is_mark('@') || rest.is_mark('+') || rest.is_mark('[')
 }
 
-/// `@place` and `+…`, in any order, each at most once.
+/// `@place`, `+…` and `[operators]`, in any order, each at most once.
 fn suffixes<'a>(input: Tokens<'a>, from: Tokens<'a>, mut signed: Signed) -> Parsed<'a, Signed> {
     let mut rest = from;
     let mut counted = false;
@@ -197,6 +200,10 @@ fn suffixes<'a>(input: Tokens<'a>, from: Tokens<'a>, mut signed: Signed) -> Pars
         if rest.is_mark('@') {
             let (after, site) = placed(&signed, rest)?;
             signed.site = Some(Spanned::new(site, rest.span_to(after)));
+            rest = after;
+        } else if rest.is_mark('[') {
+            let (after, operators) = changes(&signed, rest)?;
+            signed.operators = Spanned::new(operators, rest.span_to(after));
             rest = after;
         } else {
             while rest.is_mark('+') && (token.all().len() == rest.all().len() || token.touches(rest)) {
@@ -230,6 +237,45 @@ fn placed<'a>(signed: &Signed, at: Tokens<'a>) -> Parsed<'a, Site> {
         (Head::Gloss(_) | Head::Spelled(_), None) => return Ok((rest, site)),
     };
     told(fault)
+}
+
+/// `[inverted, big]`
+fn changes<'a>(signed: &Signed, open: Tokens<'a>) -> Parsed<'a, Vec<Operator>> {
+    let from = open.skip();
+    let ends = |t: &Token| matches!(t.kind, Kind::Mark('[' | ']' | '{' | '}'));
+    let length = from.all().iter().position(ends).unwrap_or(from.all().len());
+    let close = from.skip_n(length);
+    if !close.is_mark(']') {
+        return told(
+            Diagnostic::fault(open.span(), "this bracket is never closed")
+                .label("opened here")
+                .hint("operators stand in it, separated by commas: `BOL[big, slow]`"),
+        );
+    }
+    let whole = open.span_to(close.skip());
+    if !signed.operators.value.is_empty() {
+        return told(
+            Diagnostic::fault(whole, "the operators are given twice")
+                .label("the second")
+                .related(signed.operators.span, "the first")
+                .hint("write them in one pair of brackets, separated by commas"),
+        );
+    }
+    let inside = Tokens::new(&from.all()[..length]);
+    if inside.is_empty() {
+        return told(
+            Diagnostic::fault(whole, "which operators?")
+                .label("none is said")
+                .hint("write for example `BOL[big, slow]`"),
+        );
+    }
+    if inside.all().len() == 1 && is_word(inside, "weak") {
+        return told(
+            Diagnostic::fault(whole, "the weak hand is said before the sign").label("here").hint("write `weak(BOL)`"),
+        );
+    }
+    let (_, operators) = must(operators_alone(inside))?;
+    Ok((close.skip(), operators))
 }
 
 fn performed<'a>(
