@@ -233,3 +233,22 @@ fn render_writes_one_page_a_sign_into_a_folder() {
     names.sort();
     assert_eq!(names, ["BOL.glb", "BOL.html", "CHAT.glb", "CHAT.html"]);
 }
+
+#[test]
+fn a_gloss_line_is_explained_and_rendered() {
+    let folder = Folder::new("gloss");
+    let told = run(&folder.0, &["explain", "BOL@left IX(BOL) {brows raised: TOI++}, fs(LSF)"], "");
+    assert_eq!((told.code, told.err.as_str()), (0, ""));
+    for words in
+        ["made in space, left", "the index points where BOL was made", "made 3 times", "spelled L S F", "brows raised"]
+    {
+        assert!(told.out.contains(words), "{words}: {}", told.out);
+    }
+    let done = run(&folder.0, &["render", "TOI BOL@left", "-o", "line.glb", "--fps", "10"], "");
+    assert_eq!(done.code, 0, "{}", done.err);
+    assert!(fs::metadata(folder.0.join("line.glb")).unwrap().len() > 1000);
+    let wrong = run(&folder.0, &["render", "TOI BOLL@left {brows up: X", "-o", "wrong.glb"], "");
+    assert_eq!(wrong.code, 1);
+    assert!(wrong.err.contains("did you mean `BOL`?") && wrong.err.contains("never closed"), "{}", wrong.err);
+    assert!(!folder.0.join("wrong.glb").exists());
+}
