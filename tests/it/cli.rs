@@ -238,7 +238,7 @@ fn render_writes_one_page_a_sign_into_a_folder() {
 fn a_gloss_line_is_explained_and_rendered() {
     let folder = Folder::new("gloss");
     let told = run(&folder.0, &["explain", "BOL@left IX(BOL) {brows raised: TOI++}, fs(LSF)"], "");
-    assert_eq!((told.code, told.err.as_str()), (0, ""));
+    assert_eq!(told.code, 0, "{}", told.err);
     for words in
         ["made in space, left", "the index points where BOL was made", "made 3 times", "spelled L S F", "brows raised"]
     {
