@@ -8,6 +8,7 @@
 //! Model space, metres, seconds from the clip's start. The signer is right-handed: the strong hand is the right one.
 
 pub mod anchor;
+pub mod edit;
 mod expression;
 pub mod face;
 mod fingers;
