@@ -28,6 +28,7 @@ mod shared;
 mod signing;
 mod strategies;
 mod synthesis_edit;
+mod synthesis_edit_track;
 mod synthesis_face;
 mod synthesis_path;
 mod synthesis_sign;

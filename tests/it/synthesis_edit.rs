@@ -5,8 +5,7 @@ use crate::moving::{any_clip, apart, hand_turns, is_sound, path, same_but, turne
 use crate::signing::{perform, signs_of, world};
 use chereme::body::channel::Channels;
 use chereme::motion::clip::Clip;
-use chereme::motion::profile::derivative;
-use chereme::motion::rotation::angle_between;
+use chereme::motion::profile::{derivative, length};
 use chereme::motion::skeleton::JointId;
 use chereme::motion::two_bone::inner_angle;
 use chereme::phonology::Side;
@@ -206,8 +205,9 @@ proptest! {
                 prop_assert_eq!(&frame.pose, &clip.frames()[i].pose);
             }
         }
-        let again = edit::with_configuration(&made, signer, side, &shape, &Extent::between(extent.start, extent.end));
-        prop_assert_eq!(again.unwrap().frames(), made.frames());
+        let itself = Extent::between(extent.start, extent.end);
+        let again = edit::with_configuration(&made, signer, side, &shape, &itself).unwrap();
+        prop_assert_eq!(again.frames(), made.frames());
     }
 
     #[test]
@@ -327,5 +327,66 @@ fn expectation_36_elbows_do_not_jump_when_a_sign_is_elsewhere() {
                 assert!(steps(&moved.clip) <= 3.0 * steps(clip), "{} > 3 × {}", steps(&moved.clip), steps(clip));
             }
         }
+    }
+}
+
+#[test]
+fn a_larger_sign_has_a_longer_path_about_the_same_place() {
+    let signer = &world().signer;
+    for made in performed() {
+        let (clip, report) = (&made.track.clip, &made.report);
+        let extent = Extent::between(report.stroke_start, report.sign_end);
+        for (about, factor) in [(About::Mean, 1.3), (About::Start, 0.5)] {
+            let how = Scaling { sides: Sides::Right, extent, about };
+            let larger = edit::sized(clip, signer, factor, &how).unwrap();
+            assert!(is_sound(&larger.clip) && same_but(&larger.clip, clip, &arm_joints(Sides::Right)));
+            assert!(larger.residual_m < 1e-6);
+            let frames = (report.stroke_start.0 * 60.0).ceil() as usize..(report.sign_end.0 * 60.0) as usize;
+            let stroke = |c: &Clip| wrist_path(c, Side::Right)[frames.clone()].to_vec();
+            let (before, after) = (stroke(clip), stroke(&larger.clip));
+            assert!((length(&after) - factor * length(&before)).abs() < 1e-5, "{} {}", length(&before), length(&after));
+            let moved = match about {
+                About::Start => before[0].distance(after[0]),
+                About::Mean => {
+                    let mean = |p: &[DVec3]| p.iter().sum::<DVec3>() / p.len() as f64;
+                    mean(&before).distance(mean(&after))
+                }
+            };
+            assert!(moved < 2e-3, "{about:?}: {moved}");
+        }
+    }
+}
+
+#[test]
+fn repetitions_grow_about_the_mean_place() {
+    let signer = &world().signer;
+    let made = &performed()[0];
+    let clip = &made.track.clip;
+    let how = Repetition { times: 3, growth: 0.7, sides: Sides::Right, ..Repetition::default() };
+    let thrice = edit::repeated(clip, signer, &how).unwrap();
+    assert!(is_sound(&thrice));
+    let path = wrist_path(&thrice, Side::Right);
+    let frames = clip.frames().len();
+    let first = length(&path[..frames]);
+    let last = length(&path[path.len() - frames..]);
+    assert!((last / first - 0.49).abs() < 0.01, "{}", last / first);
+    let much = Repetition { times: 1_000_000, ..how };
+    assert!(edit::repeated(clip, signer, &much).is_err());
+}
+
+#[test]
+fn two_signs_go_on_at_once_each_on_a_hand() {
+    let signer = &world().signer;
+    for (strong, weak) in [(1, 3), (3, 0)] {
+        let (strong, weak) = (&performed()[strong].track, &performed()[weak].track);
+        let both = edit::track::on_each_hand(strong, weak, signer).unwrap();
+        assert!(is_sound(&both.clip));
+        let longer = strong.clip.frames().len().max(weak.clip.frames().len());
+        assert_eq!(both.clip.frames().len(), longer);
+        let prefixes = |p: &str| both.tiers.iter().filter(|t| t.name.starts_with(p)).count();
+        assert!(prefixes("RH ") > 3 && prefixes("LH ") > 3);
+        let right = wrist_path(&both.clip, Side::Right);
+        let own = wrist_path(&strong.clip, Side::Right);
+        assert!(apart(&own, &right[..own.len()]) < 1e-12);
     }
 }
