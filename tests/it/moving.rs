@@ -65,7 +65,9 @@ fn waving(seed: u64, count: usize) -> Clip {
 pub fn is_sound(clip: &Clip) -> bool {
     let unit = clip.frames().iter().flat_map(|f| &f.pose.rotations).all(|q| (q.length() - 1.0).abs() < 1e-6);
     let pairs = clip.frames().windows(2);
-    unit && pairs.into_iter().all(|w| w[0].pose.rotations.iter().zip(&w[1].pose.rotations).all(|(p, q)| p.dot(*q) >= 0.0))
+    unit && pairs
+        .into_iter()
+        .all(|w| w[0].pose.rotations.iter().zip(&w[1].pose.rotations).all(|(p, q)| p.dot(*q) >= 0.0))
 }
 
 /// Where a joint is in every frame, model space, metres.

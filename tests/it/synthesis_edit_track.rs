@@ -83,7 +83,8 @@ fn inverted_the_stroke_ends_where_it_began_and_the_face_stays() {
     let fonce = track::inverted(&clair, signer, Easing::default()).unwrap();
     assert_eq!(labels(&clair, "RH Configuration"), ["flat-O", "5"]);
     assert_eq!(labels(&fonce, "RH Configuration"), ["5", "flat-O"]);
-    let spans = |t: &Track| t.tier("RH Configuration").unwrap().values().iter().map(|v| (v.start, v.end)).collect::<Vec<_>>();
+    let spans =
+        |t: &Track| t.tier("RH Configuration").unwrap().values().iter().map(|v| (v.start, v.end)).collect::<Vec<_>>();
     assert_eq!(spans(&fonce), spans(&clair));
 }
 
@@ -174,12 +175,32 @@ fn a_track_without_phases_or_with_several_signs_is_refused() {
     assert!(track::relocated_by(&several, signer, DVec3::X, HandKept::Global).is_err());
 }
 
-#[test]
-fn the_two_routes_to_an_inverted_path_agree() {
-    // The description with its movement turned round by hand, against the motion turned round.
-    let forth = sign("sign X\n configuration flat\n placement chest, 25cm away, offset left 5cm\n orientation fingers up, palm out\n movement right 16cm\n");
-    let back = sign("sign X\n configuration flat\n placement chest, 25cm away, offset right 11cm\n orientation fingers up, palm out\n movement left 16cm\n");
-    let by_motion = track::inverted(&perform(&forth).track, &world().signer, Easing::default()).unwrap();
-    let (metres, radians) = strokes_apart(&by_motion, &perform(&back).track, Side::Right);
+/// A one-handed sign, and lines of it that another description changes.
+fn described(hands: &str, configuration: &str, offset: &str, movement: &str) -> Track {
+    let text = format!(
+        "sign X\n hands {hands}\n configuration {configuration}\n placement chest, 25cm away, offset {offset}\n \
+         orientation fingers up, palm out\n movement {movement}\n"
+    );
+    perform(&sign(&text)).track
+}
+
+fn agree(by_motion: &Track, by_description: &Track, side: Side) {
+    let (metres, radians) = strokes_apart(by_motion, by_description, side);
     assert!(metres < 5e-3 && radians.to_degrees() < 3.0, "{metres} m, {}°", radians.to_degrees());
+}
+
+#[test]
+fn the_routes_by_motion_and_by_description_agree() {
+    let signer = &world().signer;
+    let easing = Easing::default();
+    let forth = described("strong", "flat", "right 10cm", "right 12cm");
+    let back = described("strong", "flat", "right 22cm", "left 12cm");
+    agree(&track::inverted(&forth, signer, easing).unwrap(), &back, Side::Right);
+    let both = described("both mirrored", "flat", "right 10cm", "right 12cm");
+    let mirrored = track::mirrored(&forth, signer, Side::Right).unwrap();
+    agree(&mirrored, &both, Side::Right);
+    agree(&mirrored, &both, Side::Left);
+    let shape = world().grammar.handshapes.find("5", None).unwrap().angles();
+    let spread = track::with_configuration(&forth, signer, Sides::Right, ("5", &shape), easing).unwrap();
+    agree(&spread, &described("strong", "5", "right 10cm", "right 12cm"), Side::Right);
 }

@@ -47,11 +47,7 @@ pub fn relocated(clip: &Clip, signer: &Signer, by: DVec3, how: &Relocation) -> R
     if !by.is_finite() {
         return Err(Error::new("the place to sign at is not a place"));
     }
-    let weights = how.extent.weights(clip);
-    moved(clip, signer, how.sides, how.kept, |_, i, wrist| {
-        let by = by * weights[i];
-        (by != DVec3::ZERO).then(|| wrist + by)
-    })
+    moved(clip, signer, (how.sides, how.kept), &how.extent, |_, wrist| wrist + by)
 }
 
 /// The clip with its acting wrists moved so that their mean place ([`mean_place`]) is the target (model space, metres).

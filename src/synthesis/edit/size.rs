@@ -60,9 +60,8 @@ pub fn sized(clip: &Clip, signer: &Signer, factor: f64, how: &Scaling) -> Result
     let weights = how.extent.weights(clip);
     let paths = paths(clip, signer, &[Side::Left, Side::Right]);
     let centres = [centre(&paths[0], &weights, how.about), centre(&paths[1], &weights, how.about)];
-    moved(clip, signer, how.sides, HandKept::Global, |side, i, wrist| {
-        let larger = (factor - 1.0) * weights[i];
-        (larger != 0.0).then(|| wrist + (wrist - centres[side as usize]) * larger)
+    moved(clip, signer, (how.sides, HandKept::Global), &how.extent, |side, wrist| {
+        wrist + (wrist - centres[side as usize]) * (factor - 1.0)
     })
 }
 

@@ -3,7 +3,7 @@
 //! The chain runs from the shoulder to the wrist: clavicle, trunk and fingers stay. The elbow keeps its swivel
 //! ([`crate::motion::carry`]).
 
-use super::{fits, rewritten};
+use super::{Extent, fits, rewritten};
 use crate::body::arm::ArmRig;
 use crate::body::channel::Channels;
 use crate::body::signer::Signer;
@@ -12,10 +12,11 @@ use crate::motion::carry::{PlacedArm, carried};
 use crate::motion::clip::Clip;
 use crate::motion::pose::{LocalPose, ModelPose};
 use crate::motion::rotation::{twist_angle, unit, unwrap_near};
+use crate::motion::short_arc::ShortArc;
 use crate::motion::skeleton::JointId;
 use crate::phonology::Side;
 use crate::time::{FrameIndex, Seconds};
-use glam::DVec3;
+use glam::{DQuat, DVec3};
 
 /// Which arms an operator takes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -72,28 +73,36 @@ pub(super) fn paths(clip: &Clip, signer: &Signer, sides: &[Side]) -> Vec<Vec<DVe
     sides.iter().map(|side| models.iter().map(|m| m.position(signer.arm(*side).hand)).collect()).collect()
 }
 
-/// Puts the wrists where `target` says: given the side, the frame and the wrist's place; `None` leaves the arm as it is.
+/// Puts the wrists where `target` says, given the side and the wrist's place, in the frames in which the extent holds.
+///
+/// On the ways there and back the joints are turned by an eased share of what they are turned by at the extent's edge, as
+/// described signs come and go too: a translation would stretch an arm that is on its way from hanging.
 pub(super) fn moved(
     clip: &Clip,
     signer: &Signer,
-    sides: Sides,
-    kept: HandKept,
-    target: impl Fn(Side, usize, DVec3) -> Option<DVec3>,
+    (sides, kept): (Sides, HandKept),
+    extent: &Extent,
+    target: impl Fn(Side, DVec3) -> DVec3,
 ) -> Result<Moved, Error> {
     fits(clip, signer)?;
     let joints: Vec<JointId> = sides.each().iter().flat_map(|s| arm_joints(signer, *s)).collect();
+    let weights = extent.weights(clip);
     let mut worst = (0.0, 0);
     // By how much the forearm of a side was turned further in the frame before.
     let mut turned = [0.0; 2];
-    let clip = rewritten(clip, &joints, |i, pose| {
+    let held = rewritten(clip, &joints, |i, pose| {
+        if weights[i] < 1.0 {
+            return;
+        }
         let model = pose.to_model(clip.skeleton());
         for &side in sides.each() {
             let arm = signer.arm(side);
-            let goal = target(side, i, model.position(arm.hand)).filter(|g| g.is_finite());
-            let Some(goal) = goal else {
+            let wrist = model.position(arm.hand);
+            let goal = target(side, wrist);
+            if goal == wrist || !goal.is_finite() {
                 turned[side as usize] = 0.0;
                 continue;
-            };
+            }
             let (placed, residual_m) = carried(&placed(arm, &model), goal);
             if residual_m > worst.0 {
                 worst = (residual_m, i);
@@ -102,7 +111,26 @@ pub(super) fn moved(
         }
     });
     let at = clip.fps().time_of(FrameIndex(worst.1));
-    Ok(Moved { clip, residual_m: worst.0, at })
+    Ok(Moved { clip: with_ways(clip, &held, &joints, &weights, extent), residual_m: worst.0, at })
+}
+
+/// Turns the joints outside the extent by an eased share of their turn at its edge.
+fn with_ways(source: &Clip, held: &Clip, joints: &[JointId], weights: &[f64], extent: &Extent) -> Clip {
+    let first = weights.iter().position(|w| *w >= 1.0);
+    let Some((first, last)) = first.zip(weights.iter().rposition(|w| *w >= 1.0)) else { return held.clone() };
+    let edge = |at: usize| -> Vec<ShortArc> {
+        let (before, after) = (&source.frames()[at].pose, &held.frames()[at].pose);
+        let turn = |j: &JointId| before.rotation(*j).conjugate() * after.rotation(*j);
+        joints.iter().map(|j| ShortArc::new(DQuat::IDENTITY, unit(turn(j)))).collect()
+    };
+    let (coming, going) = (edge(first), edge(last));
+    rewritten(held, joints, |i, pose| {
+        if weights[i] > 0.0 && weights[i] < 1.0 {
+            for (joint, turn) in joints.iter().zip(if i < first { &coming } else { &going }) {
+                pose.set(*joint, unit(pose.rotation(*joint) * turn.eased(extent.easing, weights[i])));
+            }
+        }
+    })
 }
 
 /// The joints that an arm's new place rewrites: upper arm, forearm, and those of orientation.
@@ -122,14 +150,7 @@ fn placed(arm: &ArmRig, model: &ModelPose) -> PlacedArm {
 }
 
 /// Writes an arm in its new place into the pose that `before` was made of.
-fn write(
-    arm: &ArmRig,
-    placed: &PlacedArm,
-    kept: HandKept,
-    before: &ModelPose,
-    turned: &mut f64,
-    pose: &mut LocalPose,
-) {
+fn write(arm: &ArmRig, placed: &PlacedArm, kept: HandKept, before: &ModelPose, turned: &mut f64, pose: &mut LocalPose) {
     pose.set(arm.upper, unit(before.rotation(arm.clavicle).conjugate() * placed.upper));
     pose.set(arm.fore, unit(placed.upper.conjugate() * placed.fore));
     match kept {
@@ -141,7 +162,7 @@ fn write(
 /// Gives the hand another rotation relative to the forearm, and the forearm's skin its share of the change.
 ///
 /// `turned` is by how much the forearm was turned further in the frame before, radians: a change past half a turn goes on.
-pub(super) fn turn_hand(arm: &ArmRig, hand: glam::DQuat, turned: &mut f64, pose: &mut LocalPose) {
+pub(super) fn turn_hand(arm: &ArmRig, hand: DQuat, turned: &mut f64, pose: &mut LocalPose) {
     let twist = |q| twist_angle(q, arm.rest.fore());
     *turned = unwrap_near(*turned, twist(hand) - twist(pose.rotation(arm.hand)));
     pose.set(arm.hand, hand);
