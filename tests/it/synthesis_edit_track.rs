@@ -175,10 +175,11 @@ fn a_track_without_phases_or_with_several_signs_is_refused() {
     assert!(track::relocated_by(&several, signer, DVec3::X, HandKept::Global).is_err());
 }
 
-/// A one-handed sign, and lines of it that another description changes.
+/// A sign of which another description changes some words. Its place has a side stated: where none is, the description
+/// of two hands sets them apart, which a copied motion does not.
 fn described(hands: &str, configuration: &str, offset: &str, movement: &str) -> Track {
     let text = format!(
-        "sign X\n hands {hands}\n configuration {configuration}\n placement chest, 25cm away, offset {offset}\n \
+        "sign X\n hands {hands}\n configuration {configuration}\n placement right shoulders, 20cm away, offset {offset}\n \
          orientation fingers up, palm out\n movement {movement}\n"
     );
     perform(&sign(&text)).track
@@ -193,14 +194,14 @@ fn agree(by_motion: &Track, by_description: &Track, side: Side) {
 fn the_routes_by_motion_and_by_description_agree() {
     let signer = &world().signer;
     let easing = Easing::default();
-    let forth = described("strong", "flat", "right 10cm", "right 12cm");
-    let back = described("strong", "flat", "right 22cm", "left 12cm");
+    let forth = described("strong", "flat", "left 2cm", "left 10cm");
+    let back = described("strong", "flat", "left 12cm", "right 10cm");
     agree(&track::inverted(&forth, signer, easing).unwrap(), &back, Side::Right);
-    let both = described("both mirrored", "flat", "right 10cm", "right 12cm");
+    let both = described("both mirrored", "flat", "left 2cm", "left 10cm");
     let mirrored = track::mirrored(&forth, signer, Side::Right).unwrap();
     agree(&mirrored, &both, Side::Right);
     agree(&mirrored, &both, Side::Left);
     let shape = world().grammar.handshapes.find("5", None).unwrap().angles();
     let spread = track::with_configuration(&forth, signer, Sides::Right, ("5", &shape), easing).unwrap();
-    agree(&spread, &described("strong", "5", "right 10cm", "right 12cm"), Side::Right);
+    agree(&spread, &described("strong", "5", "left 2cm", "left 10cm"), Side::Right);
 }

@@ -12,11 +12,9 @@ use crate::time::Seconds;
 use crate::track::Track;
 use glam::DVec3;
 
-/// A configuration by its name and its angles.
-pub type NamedConfiguration<'a> = (&'a str, &'a HandAngles);
-
-/// The sign with another configuration from the stroke's start to the sign's end, formed in the preparation and
-/// loosened in the retraction.
+/// The sign with another configuration, by its name and its angles, from the stroke's start to the sign's end.
+///
+/// It is formed in the preparation and loosened in the retraction.
 ///
 /// # Errors
 /// As [`edit::with_configuration`], and a track without phases or with several signs.
@@ -24,7 +22,7 @@ pub fn with_configuration(
     track: &Track,
     signer: &Signer,
     sides: Sides,
-    (name, angles): NamedConfiguration,
+    (name, angles): (&str, &HandAngles),
     easing: Easing,
 ) -> Result<Track, Error> {
     let phases = Phases::of(track)?;

@@ -153,7 +153,10 @@ fn rebuild_ways(
     easing: Easing,
 ) {
     let time = |i: usize| clip.fps().time_of(FrameIndex(i)).0;
-    let still = |at: Seconds| frames[(at.0 * clip.fps().get()).round().max(0.0) as usize % frames.len()].pose.clone();
+    let still = |at: Seconds| {
+        let nearest = (at.0 * clip.fps().get()).round().max(0.0) as usize;
+        frames[nearest.min(frames.len() - 1)].pose.clone()
+    };
     let (from, to) = (still(start), still(retracted));
     let (begun, ended) = (frames[first].pose.clone(), frames[last].pose.clone());
     for (i, frame) in frames.iter_mut().enumerate() {
