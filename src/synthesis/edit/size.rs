@@ -43,14 +43,14 @@ pub struct Scaling {
 /// # let made = synthesize(&sign.signs[0].sign, &Grammar::builtin(), &signer, &Options::default()).unwrap();
 /// # let (clip, report) = (made.track.clip, made.report);
 /// use edit::{About, Extent, Scaling, Sides};
-/// let extent = Extent::between(report.stroke_start, report.sign_end);
+/// let extent = Extent::whole(&clip);
 /// let how = Scaling { sides: Sides::Right, extent, about: About::Start };
-/// let larger = edit::sized(&clip, &signer, 1.5, &how).unwrap().clip;
+/// let smaller = edit::sized(&clip, &signer, 0.5, &how).unwrap().clip;
 /// let wrist = |clip: &chereme::motion::clip::Clip, t| {
 ///     clip.sample(t).pose.to_model(&signer.skeleton).position(signer.arm(chereme::phonology::Side::Right).hand)
 /// };
 /// let rises = |clip| wrist(clip, report.sign_end).y - wrist(clip, report.stroke_start).y;
-/// assert!((rises(&larger) / rises(&clip) - 1.5).abs() < 0.02);
+/// assert!((rises(&smaller) / rises(&clip) - 0.5).abs() < 1e-3);
 /// ```
 pub fn sized(clip: &Clip, signer: &Signer, factor: f64, how: &Scaling) -> Result<Moved, Error> {
     if !(0.0..=10.0).contains(&factor) {
