@@ -9,6 +9,7 @@
 
 mod aim;
 pub mod anchor;
+pub mod edit;
 mod expression;
 pub mod face;
 mod layout;
