@@ -50,12 +50,13 @@ pub(super) fn lay_out(stage: &Stage, plan: &Plan, prepared: &[Prepared], slower:
             Act::Sign(sign) => {
                 let own = signs.next();
                 let hands = own.map(|p| &p.hands[..]).unwrap_or_default();
+                let slow = slow / sign.speed;
                 let way = hands.iter().map(|h| coming(stage, h, left[h.side as usize], at) * slow);
                 let least = if left.iter().any(Option::is_some) { timing.between_least } else { 0.0 };
                 let transition = way.fold(least / speed, f64::max);
                 let last = !plan.items[i + 1..].iter().any(|next| matches!(next.act, Act::Sign(_)))
                     || matches!(plan.items.get(i + 1).map(|next| &next.act), Some(Act::Rest(_)));
-                let pace = speed;
+                let pace = speed * sign.speed;
                 let stroke = own.map_or(0.0, Prepared::natural) / pace;
                 let (moving, unmoving) = match last {
                     true => (timing.final_hold, timing.posture),

@@ -7,6 +7,7 @@
 //! # Conventions
 //! Model space, metres, seconds from the clip's start. The signer is right-handed: the strong hand is the right one.
 
+mod aim;
 pub mod anchor;
 mod expression;
 pub mod face;
@@ -15,9 +16,12 @@ pub mod legs;
 pub mod path;
 mod path_of_hand;
 mod perform;
+mod placed;
 pub mod plan;
+mod posture;
 mod prepare;
 pub mod reach;
+mod relocate;
 mod report;
 pub mod schedule;
 mod site;

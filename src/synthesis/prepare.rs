@@ -50,7 +50,11 @@ pub(super) fn prepare<'p>(stage: &Stage, plan: &'p Plan) -> Result<Vec<Prepared<
     for (item, what) in plan.items.iter().enumerate() {
         if let Act::Sign(sign) = &what.act {
             let hands = stage.planner().plan(sign).map_err(|e| e.context(&what.gloss))?;
-            all.push(Prepared { item, sign, hands, states_its_time: states_its_time(sign) });
+            let mut prepared = Prepared { item, sign, hands, states_its_time: states_its_time(sign) };
+            if let Some(relocation) = &sign.relocated {
+                stage.relocate(&mut prepared, &relocation.place).map_err(|e| e.context(&what.gloss))?;
+            }
+            all.push(prepared);
         }
     }
     Ok(all)
@@ -62,6 +66,7 @@ fn states_its_time(sign: &Sign) -> bool {
         match movement {
             Movement::Action(action) => action.duration.is_some(),
             Movement::Sequence(parts) | Movement::Together(parts) | Movement::Fused(parts) => parts.iter().any(stated),
+            Movement::Backwards(inner) => stated(inner),
         }
     }
     sign.duration.is_some() || sign.strong.movement.iter().chain(&sign.weak.movement).any(stated)

@@ -61,6 +61,13 @@ impl Stage<'_> {
         let trunk = skeleton[arm.clavicle].parent.unwrap_or(arm.clavicle);
         let target = |(n, now): (usize, &Instant)| {
             let model = models.get(n).unwrap_or(&self.neutral_model);
+            let (clavicle, trunk) = (model.position(arm.clavicle), model.rotation(trunk));
+            let raised = raised[stint.first + n][plan.side as usize];
+            if let Some(path) = &plan.wrist_path {
+                let share = if natural > 0.0 { own_time(stint.first + n) / natural } else { 0.0 };
+                let (point, rotation) = path.at(share);
+                return HandTarget { point, rotation, offset: DVec3::ZERO, clavicle, trunk, raised };
+            }
             let rotation = now.rotation(plan, model);
             let offset = self.offset(plan, now, &poses[stint.first + n]);
             let point = now.point(plan, model);
@@ -70,9 +77,9 @@ impl Stage<'_> {
                 point: point - rotation * offset + played * offset,
                 rotation: played,
                 offset,
-                clavicle: model.position(arm.clavicle),
-                trunk: model.rotation(trunk),
-                raised: raised[stint.first + n][plan.side as usize],
+                clavicle,
+                trunk,
+                raised,
             }
         };
         let targets: Vec<HandTarget> = instants.iter().enumerate().map(target).collect();

@@ -189,6 +189,7 @@ fn place_label(place: &Place) -> String {
         Place::Point(p) => format!("({:.2}, {:.2}, {:.2})", p.x, p.y, p.z),
         Place::Between(a, b) => format!("{}–{}", place_label(a), place_label(b)),
         Place::Referent(name) => format!("referent {name}"),
+        Place::Towards(at) => format!("pointing at {}", place_label(at)),
     }
 }
 
@@ -204,6 +205,7 @@ fn movement_label(m: &Movement) -> String {
         Movement::Sequence(parts) => join(parts, ", then "),
         Movement::Together(parts) => join(parts, " while "),
         Movement::Fused(parts) => join(parts, " into "),
+        Movement::Backwards(inner) => format!("backwards {}", movement_label(inner)),
     }
 }
 
@@ -211,6 +213,8 @@ fn action_label(action: &Action) -> String {
     let mut label = match &action.motion {
         Motion::Hold => "hold".into(),
         Motion::Change => "change".into(),
+        Motion::Return { key: 0 } => "back".into(),
+        Motion::Return { key } => format!("back to key {}", key + 1),
         Motion::Straight { direction, .. } => direction.to_string(),
         Motion::Arc { direction, .. } => format!("arc {direction}"),
         Motion::Circle { axis, .. } => format!("circle about {axis}"),
