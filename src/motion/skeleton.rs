@@ -109,7 +109,12 @@ impl Skeleton {
                 };
                 let id = next_id(&joints)?;
                 by_name.insert(name.clone(), id);
-                joints.push(Joint { name, parent, rest_model: DVec3::from(row.pos), tail_model: DVec3::from(row.tail) });
+                joints.push(Joint {
+                    name,
+                    parent,
+                    rest_model: DVec3::from(row.pos),
+                    tail_model: DVec3::from(row.tail),
+                });
             }
             if later.len() == before {
                 let (name, row) = &later[0];

@@ -6,6 +6,7 @@ mod format_glb;
 mod phonology_handshape;
 
 mod cli;
+mod format_bvh;
 mod format_glb_write;
 mod format_html;
 mod layers;

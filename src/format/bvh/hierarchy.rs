@@ -10,6 +10,9 @@ use std::collections::HashMap;
 /// A fault that makes the rest of the hierarchy unreadable.
 type Stop = Box<Diagnostic>;
 
+/// Faults and warnings beyond this many would only take memory.
+const MOST_NOTES: usize = 100;
+
 /// What is being described between braces.
 #[derive(Clone, Copy, PartialEq)]
 enum Block {
@@ -58,6 +61,9 @@ impl Hierarchy {
         while let Some(word) = words.peek() {
             if word.is("MOTION") {
                 break;
+            }
+            if self.notes.len() >= MOST_NOTES {
+                return Err(stop(word.span, "too many faults and warnings", "the rest is not read").into());
             }
             words.next();
             self.entry(word, words)?;
@@ -233,7 +239,7 @@ impl Hierarchy {
         };
         let mut last = said.span;
         let mut listed = 0;
-        while let Some(name) = words.clone().next_on_line().filter(|w| w.text != "}") {
+        while let Some(name) = words.clone().next_on_line().filter(|w| w.text != "}" && listed <= Channel::ALL.len()) {
             words.next_on_line();
             (listed, last) = (listed + 1, name.span);
             match Channel::ALL.into_iter().find(|c| name.is(c.word())) {
@@ -246,6 +252,7 @@ impl Hierarchy {
             }
         }
         if listed != count {
+            words.rest_of_line();
             let message = format!("CHANNELS says {count}, and {listed} are listed");
             let fault = stop(said.span.to(last), message, "count and list differ");
             self.notes.push(fault.hint("the list stands on the line of its count"));
@@ -257,6 +264,9 @@ impl Hierarchy {
     fn check_names(&mut self) {
         let mut seen: HashMap<&str, Span> = HashMap::new();
         for (joint, span) in self.joints.iter().zip(&self.names) {
+            if self.notes.len() >= MOST_NOTES {
+                break;
+            }
             if let Some(first) = seen.insert(&joint.name, *span) {
                 let warning = Diagnostic::warning(*span, format!("two joints are named {}", short(&joint.name)));
                 self.notes.push(warning.label("the second").related(first, "the first"));
@@ -292,9 +302,10 @@ pub(super) fn finite(word: Word) -> Result<f64, Stop> {
         _ if is_not_finite(word.text) => {
             fault(format!("{text} is not a finite number"), "the program that wrote this divided by zero somewhere")
         }
-        _ if word.text.contains(',') => {
-            fault(format!("`{text}` is not a number"), "decimals are written with a point, and numbers parted by spaces")
-        }
+        _ if word.text.contains(',') => fault(
+            format!("`{text}` is not a number"),
+            "decimals are written with a point, and numbers parted by spaces",
+        ),
         _ => fault(format!("`{text}` is not a number"), ""),
     }
 }

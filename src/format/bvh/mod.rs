@@ -19,6 +19,8 @@
 //! channels unknown or listed twice, a frame time that is not above 0. Each with line and column; nothing is guessed.
 //! Memory is in proportion to the text, whatever its counts say, and depth of nesting costs no stack.
 
+#[cfg(feature = "bvh_anim")]
+mod bvh_anim;
 mod clip;
 mod data;
 mod decimal;

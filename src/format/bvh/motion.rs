@@ -126,7 +126,8 @@ fn entry<'a>(words: &mut Words<'a>, keywords: &[&str], expected: &str) -> Result
 
 /// A count, which some programs write as `12.0`.
 fn whole(text: &str) -> Option<u64> {
-    let digits = text.split_once('.').map_or(text, |(whole, rest)| if rest.trim_matches('0').is_empty() { whole } else { text });
+    let digits =
+        text.split_once('.').map_or(text, |(whole, rest)| if rest.trim_matches('0').is_empty() { whole } else { text });
     (!digits.is_empty() && digits.bytes().all(|b| b.is_ascii_digit())).then(|| digits.parse().unwrap_or(u64::MAX))
 }
 
