@@ -5,7 +5,7 @@ use super::shared::shared;
 use super::signing::{perform, sign};
 use chereme::diagnostics::render::render;
 use chereme::diagnostics::{Diagnostic, Severity};
-use chereme::format::bvh::{self, Axis, Bvh, Channel, ClipOptions, Joint, Options, Roots, TwistLeaves};
+use chereme::format::bvh::{self, Bvh, Channel, ClipOptions, Joint, Options, Roots, TwistLeaves};
 use chereme::motion::clip::{Clip, Frame};
 use chereme::motion::pose::LocalPose;
 use chereme::motion::rotation::angle_between;
@@ -439,7 +439,9 @@ fn agrees_with_bvh_anim(name: &str, bytes: &[u8], ours: &Bvh) {
     assert_eq!(joints.len(), ours.joints().len(), "{name}");
     let near = |a: f64, b: f32| (a - f64::from(b)).abs() <= 1e-6 * a.abs().max(1.0);
     for (a, b) in ours.joints().iter().zip(&joints) {
-        assert_eq!((&a.name[..], a.parent), (&b.name().to_string()[..], b.parent_index()), "{name}");
+        // It cuts names at colons.
+        assert_eq!(a.name.split(':').next(), Some(&b.name().to_string()[..]), "{name}");
+        assert_eq!(a.parent, b.parent_index(), "{name}");
         assert!(
             near(a.offset.x, b.offset().x) && near(a.offset.y, b.offset().y) && near(a.offset.z, b.offset().z),
             "{name}"
@@ -470,8 +472,11 @@ fn sign_text() -> String {
     bvh::write(&clip, &Options::default()).unwrap()
 }
 
-/// Files that `bvh_anim` cannot be asked about: it drops a leaf without End Site, and panics on unbalanced braces.
-const BEYOND_BVH_ANIM: [&str; 2] = ["fairmotion__sinusoidal.bvh", "gestification__header-only.bvh"];
+/// Whether a leaf has no End Site: `bvh_anim` drops such a joint and keeps its channels.
+fn has_open_leaf(bvh: &Bvh) -> bool {
+    let is_leaf = |at: usize| bvh.joints().iter().all(|j| j.parent != Some(at));
+    bvh.joints().iter().enumerate().any(|(at, joint)| joint.end_sites.is_empty() && is_leaf(at))
+}
 
 #[test]
 fn recordings_are_read_as_bvh_anim_reads_them() {
@@ -479,7 +484,7 @@ fn recordings_are_read_as_bvh_anim_reads_them() {
     let all = std::env::var("CI").as_deref() == Ok("true") || !cfg!(debug_assertions);
     let every = files(&folder);
     assert!(every.len() >= 950, "{} files", every.len());
-    let mut refused = Vec::new();
+    let (mut refused, mut compared) = (Vec::new(), 0);
     for (at, path) in every.iter().enumerate() {
         let odd = path.parent().is_some_and(|p| p.ends_with("bvh_oddities"));
         if !(all || odd || at % 40 == 0) {
@@ -493,13 +498,16 @@ fn recordings_are_read_as_bvh_anim_reads_them() {
                 let unknown: Vec<&Diagnostic> =
                     reading.warnings.iter().filter(|w| !w.message.starts_with("Frames: says")).collect();
                 assert!(unknown.is_empty(), "{name}: {unknown:?}");
-                if !BEYOND_BVH_ANIM.contains(&&name[..]) && reading.warnings.is_empty() {
+                // It refuses a row count that differs.
+                if reading.warnings.is_empty() && !has_open_leaf(&reading.bvh) {
+                    compared += 1;
                     agrees_with_bvh_anim(&name, &bytes, &reading.bvh);
                 }
                 bvh::to_clip(&reading.bvh, &ClipOptions::default()).unwrap_or_else(|e| panic!("{name}: {e}"));
             }
         }
     }
+    assert!(compared >= if all { 900 } else { 30 }, "{compared} files compared");
     assert_eq!(refused, [("gestification__header-only.bvh".to_owned(), "3 braces are not closed".to_owned())]);
 }
 
@@ -527,5 +535,5 @@ fn bvh_anims_own_data_converts_both_ways() {
     let near = |(a, b): (&f64, &f64)| (a - b).abs() <= 1e-6 * a.abs().max(1.0);
     assert!(back.rows().flatten().zip(ours.rows().flatten()).all(near));
     let spaced = plain(&TWO.replace("Spine", "Left Hand"));
-    assert!(bvh_anim::Bvh::try_from(&spaced).unwrap_err().to_string().contains("Left Hand"));
+    assert!(bvh_anim::Bvh::try_from(&spaced).unwrap_err().to_string().contains("name"));
 }

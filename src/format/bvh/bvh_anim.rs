@@ -48,18 +48,25 @@ impl TryFrom<&Bvh> for ::bvh_anim::Bvh {
     /// Goes through text, which is the crate's only way in: six decimals.
     ///
     /// # Errors
-    /// What `bvh_anim` would read as something else: several roots, several End Sites on a joint, a name with spaces.
+    /// What `bvh_anim` would read as something else: several roots, several End Sites on a joint, a name with
+    /// spaces or a colon.
     fn try_from(bvh: &Bvh) -> Result<::bvh_anim::Bvh, Error> {
         for (at, joint) in bvh.joints().iter().enumerate() {
             let lost = match () {
                 () if at > 0 && joint.parent.is_none() => "several roots",
                 () if joint.end_sites.len() > 1 => "several End Sites on a joint",
-                () if joint.name.contains(char::is_whitespace) => "a name with spaces",
                 () => continue,
             };
             return Err(Error::new(format!("bvh_anim cannot hold {lost} ({})", joint.name)));
         }
-        ::bvh_anim::from_str(&super::print(bvh)).map_err(|e| Error::new(format!("bvh_anim refuses the file: {e}")))
+        let refused = |e: &dyn std::fmt::Display| Error::new(format!("bvh_anim refuses the file: {e}"));
+        let made = ::bvh_anim::from_str(&super::print(bvh)).map_err(|e| refused(&e))?;
+        // It cuts names at colons and at some other characters, without a word.
+        let names = made.joints().map(|joint| joint.data().name().to_string());
+        match bvh.joints().iter().map(|joint| joint.name.clone()).eq(names) {
+            true => Ok(made),
+            false => Err(Error::new("bvh_anim cannot hold a joint's name (it cuts at colons and spaces)")),
+        }
     }
 }
 

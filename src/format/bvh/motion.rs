@@ -9,6 +9,9 @@ use crate::time::Seconds;
 /// More faults than these are counted, not shown.
 const SHOWN: usize = 20;
 
+/// Words that begin a line of a BVH file elsewhere.
+const OTHER_PARTS: [&str; 6] = ["HIERARCHY", "ROOT", "JOINT", "MOTION", "Frames:", "Frame"];
+
 /// What stands after `MOTION`.
 pub(super) struct Motion {
     pub frame_time: Seconds,
@@ -75,8 +78,9 @@ impl Motion {
             match row(bytes, start, channels, &mut self.values) {
                 Some(end) => words.at = end,
                 None => {
-                    let fault = match slow_row(words, channels) {
-                        Row::Fault(fault) => fault,
+                    let (fault, goes_on) = match slow_row(words, channels) {
+                        Row::Fault(fault) => (fault, true),
+                        Row::NoMotion(fault) => (fault, false),
                         Row::FaceShapes(span) => {
                             let warning = Diagnostic::warning(span, "face shapes (BVHE) are not read");
                             self.notes.push(warning.label("from here on"));
@@ -87,6 +91,9 @@ impl Motion {
                         self.notes.push(*fault);
                     }
                     faulty += 1;
+                    if !goes_on {
+                        break;
+                    }
                 }
             }
             rows += 1;
@@ -168,6 +175,9 @@ fn ends_word(next: Option<&u8>) -> bool {
 /// What a line is that is no row.
 enum Row {
     Fault(Box<Diagnostic>),
+    /// Another part of a file begins; what follows is not rows.
+    NoMotion(Box<Diagnostic>),
+    /// The extension of PERFORMS and Animics begins.
     FaceShapes(Span),
 }
 
@@ -180,11 +190,10 @@ fn slow_row(words: &mut Words, channels: usize) -> Row {
         if count == 0 && word.is("BLENDSHAPES") {
             return Row::FaceShapes(word.span);
         }
-        if count == 0 && ["HIERARCHY", "ROOT", "JOINT", "MOTION", "Frames:", "Frame"].iter().any(|k| word.is(k)) {
-            words.rest_of_line();
-            let hint = "if these are two files in one, cut them apart";
-            let message = format!("`{}` among the rows", short(word.text));
-            return Row::Fault(stop(word.span, message, "expected a row of numbers").hint(hint).into());
+        if count == 0 && OTHER_PARTS.iter().any(|keyword| word.is(keyword)) {
+            let message = format!("`{}` among the rows", word.text);
+            let fault = stop(word.span, message, "expected a row of numbers or the end");
+            return Row::NoMotion(fault.hint("if these are two files in one, cut them apart").into());
         }
         if wrong.is_none() {
             wrong = finite(word).err();

@@ -27,7 +27,12 @@ const UNITS: [(f64, &str); 5] = [
 /// The extents that count as a whole person's, metres: from a child to a tall adult with arms spread.
 const PERSON_M: std::ops::Range<f64> = 1.2..2.3;
 
-/// The unit in which the skeleton's largest extent at rest is a person's; `None` where there is none, as for a hand alone.
+/// Parts of names that a whole person's skeleton has and a hand's has not: a hand in millimetres is as large as a person
+/// in centimetres.
+const OF_A_BODY: [&str; 8] = ["hip", "pelvis", "spine", "chest", "neck", "head", "leg", "foot"];
+
+/// The unit in which the skeleton's largest extent at rest is a person's; `None` where there is none, and for a hand alone
+/// (no joint has a name like `Hips`, `Spine`, `Head` or `Leg`).
 ///
 /// ```
 /// use chereme::format::bvh;
@@ -36,6 +41,10 @@ const PERSON_M: std::ops::Range<f64> = 1.2..2.3;
 /// assert_eq!(bvh::propose_unit(&bvh).unwrap().metres_per_unit, 0.01);
 /// ```
 pub fn propose_unit(bvh: &Bvh) -> Option<UnitProposal> {
+    let of_a_body = |name: &str| OF_A_BODY.iter().any(|part| name.to_lowercase().contains(part));
+    if !bvh.joints().iter().any(|joint| of_a_body(&joint.name)) {
+        return None;
+    }
     let rest = bvh.rest_positions();
     let ends = bvh.joints().iter().zip(&rest).flat_map(|(j, at)| j.end_sites.iter().map(move |e| *at + *e));
     let points = || rest.iter().copied().chain(ends.clone());
