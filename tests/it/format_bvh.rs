@@ -330,6 +330,24 @@ fn what_files_say_is_kept_as_it_is() {
 }
 
 #[test]
+fn depth_and_counts_cost_no_more_than_their_text() {
+    const DEPTH: usize = 70_000;
+    let mut deep = "HIERARCHY\nROOT j { OFFSET 0 0 0\nCHANNELS 1 Xrotation\n".to_owned();
+    (1..DEPTH).for_each(|i| deep += &format!("JOINT {i} {{ OFFSET 0 0 0\nCHANNELS 0\n"));
+    deep += &"}".repeat(DEPTH);
+    let bvh = plain(&(deep.clone() + "\nMOTION\nFrames: 1\nFrame Time: 0.1\n1\n"));
+    assert_eq!(plain(&bvh::print(&bvh)).joints().len(), DEPTH);
+    assert!(bvh::to_clip(&bvh, &ClipOptions::default()).unwrap_err().to_string().contains("too many joints"));
+    // Many joints that never move, and many short rows.
+    let many = plain(&(deep + "\nMOTION\nFrames: 20\nFrame Time: 0.1\n" + &"1\n".repeat(20)));
+    assert!(bvh::to_clip(&many, &ClipOptions::default()).unwrap_err().to_string().contains("never move"));
+    let wide = TWO.replace("3 Zrotation", &format!("3 {}", "Wrotation ".repeat(100_000)));
+    assert!(bvh::read(wide.as_bytes()).unwrap_err().len() < 200);
+    let rows = TWO.replace("1 2 3 4 5 6", &"x\n".repeat(100_000));
+    assert_eq!(bvh::read(rows.as_bytes()).unwrap_err().len(), 21);
+}
+
+#[test]
 fn channels_turn_in_the_order_they_are_listed() {
     let clip = |channels: &str| {
         let text = TWO.replacen("Zrotation Xrotation Yrotation", channels, 1);

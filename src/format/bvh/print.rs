@@ -65,14 +65,21 @@ fn begin(out: &mut Vec<u8>, joint: &Joint, depth: usize, leaf: bool) {
     }
 }
 
+/// Deeper joints are not set in further, or a chain of many joints would be mostly tabs.
+const MOST_TABS: usize = 64;
+
+fn tabs(out: &mut Vec<u8>, depth: usize) {
+    out.resize(out.len() + depth.min(MOST_TABS), b'\t');
+}
+
 fn line(out: &mut Vec<u8>, depth: usize, text: &str) {
-    out.resize(out.len() + depth, b'\t');
+    tabs(out, depth);
     out.extend_from_slice(text.as_bytes());
     out.push(b'\n');
 }
 
 fn offset(out: &mut Vec<u8>, depth: usize, value: DVec3) {
-    out.resize(out.len() + depth, b'\t');
+    tabs(out, depth);
     out.extend_from_slice(b"OFFSET");
     for number in value.to_array() {
         out.push(b' ');
