@@ -7,6 +7,7 @@ mod phonology_handshape;
 
 mod cli;
 mod format_eaf;
+mod format_bvh;
 mod format_glb_write;
 mod format_html;
 mod layers;
