@@ -7,6 +7,7 @@ mod check;
 mod explain;
 mod files;
 mod format;
+mod gloss;
 mod list;
 mod new;
 mod render;
@@ -23,7 +24,7 @@ use std::process::ExitCode;
     name = "chereme",
     version,
     arg_required_else_help = true,
-    after_help = "Examples:\n  chereme render BOL -o bol.html            see it signed, in a browser\n  chereme new BOL -o lexicon/lsf/bol.sign   begin a sign\n  chereme check lexicon                     find its faults\n  chereme fmt lexicon                       lay it out\n  chereme explain BOL                       say it in plain words\n\nExit codes: 0 fine, 1 faults found, 2 wrong usage."
+    after_help = "Examples:\n  chereme render BOL -o bol.html            see it signed, in a browser\n  chereme render \"BONJOUR, CHIEN BOL@left\" -o line.html\n                                            a line of glosses, as one motion\n  chereme new BOL -o lexicon/lsf/bol.sign   begin a sign\n  chereme check lexicon                     find its faults\n  chereme fmt lexicon                       lay it out\n  chereme explain BOL                       say it in plain words\n\nExit codes: 0 fine, 1 faults found, 2 wrong usage."
 )]
 struct Cli {
     #[command(flatten)]

@@ -1,8 +1,10 @@
 //! A sign in plain words, one tier a line, each with where it came from: stated, default, symmetry.
 
-use super::print::value;
+use super::print::{expression, value};
 use super::raise::raise;
 use super::syntax::{Content, Value};
+use crate::phonology::operator::Operator;
+use crate::phonology::recombination::{Base, Recombination};
 use crate::phonology::{Hand, Hands, Manual, Relation, Sign};
 
 /// Explains a sign.
@@ -63,6 +65,77 @@ pub fn explain(sign: &Sign) -> String {
         say("duration", "from the lengths and kinds of the movements", "default");
     }
     out
+}
+
+/// Explains a sign that is made from others: a sentence of how it is made, then the whole sign.
+///
+/// ```
+/// use chereme::notation::explain_derived;
+/// use chereme::phonology::operator::Operator;
+/// use chereme::phonology::recombination::{Base, Recombination};
+/// use chereme::phonology::Sign;
+/// let from = Recombination { base: Base::Named("CLAIR".into()), operators: vec![Operator::Inverted] };
+/// assert!(explain_derived(&Sign::named("FONCÉ"), &from).contains("made from: CLAIR, played backwards"));
+/// ```
+pub fn explain_derived(sign: &Sign, from: &Recombination) -> String {
+    let whole = explain(sign);
+    let (head, rest) = whole.split_once('\n').unwrap_or((&whole, ""));
+    format!("{head}\n  made from: {}\n{rest}", making(from))
+}
+
+/// How a sign is made, in plain words.
+fn making(from: &Recombination) -> String {
+    let part = |p: &Recombination| match (&p.base, p.operators.is_empty()) {
+        (Base::Named(_) | Base::Spelled(_), true) => making(p),
+        _ => format!("({})", making(p)),
+    };
+    let mut text = match &from.base {
+        Base::Named(name) => name.clone(),
+        Base::Spelled(word) => format!("the letters of {word}, from shape to shape"),
+        Base::Pointing(_) | Base::WristAt(_) => {
+            expression(&super::raise::expression(&Recombination { base: from.base.clone(), operators: Vec::new() }))
+        }
+        Base::Chain(parts) => parts.iter().map(part).collect::<Vec<_>>().join(", then "),
+        Base::Hands(strong, weak) => {
+            format!("{} on the strong hand and {} on the weak hand", part(strong), part(weak))
+        }
+    };
+    for operator in &from.operators {
+        text.push_str(", ");
+        text.push_str(&doing(operator));
+    }
+    text
+}
+
+fn doing(operator: &Operator) -> String {
+    // As it is written, without the base that stands before it.
+    let written = || {
+        let alone = Recombination { base: Base::Named("x".into()), operators: vec![operator.clone()] };
+        expression(&super::raise::expression(&alone)).trim_start_matches("x ").to_owned()
+    };
+    match operator {
+        Operator::Inverted => "played backwards".into(),
+        Operator::InvertedMovement => "its path played backwards, the hands shaped and turned as before".into(),
+        Operator::Mirrored => "one hand copied onto the other, mirrored".into(),
+        Operator::Swapped => "the hands exchanged".into(),
+        Operator::Reflected => "its mirror image, face and gaze included".into(),
+        Operator::Repeated { times, growth, .. } => {
+            let grows = match growth.signum() {
+                1 => ", larger each time",
+                -1 => ", smaller each time",
+                _ => "",
+            };
+            format!("performed {times} times in all{grows}")
+        }
+        Operator::Configuration(..)
+        | Operator::Orientation(..)
+        | Operator::Placement(..)
+        | Operator::Movement(..)
+        | Operator::NonManual(..) => written(),
+        Operator::At(_) => format!("moved {}", written()),
+        Operator::Speed(factor) => format!("{factor} times as fast"),
+        Operator::Size(factor) => format!("its paths {factor} times as large"),
+    }
 }
 
 /// The manual tiers and what holds where they are not said.

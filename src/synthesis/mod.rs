@@ -28,7 +28,6 @@ pub mod schedule;
 mod site;
 mod stage;
 mod stroke;
-pub mod symmetry;
 mod tiers;
 mod timeline;
 mod vary;

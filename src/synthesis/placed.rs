@@ -5,8 +5,8 @@ use super::legs::{Leg, LegEnd, change, lay_out};
 use super::plan::{PlacedLeg, Planner};
 use super::posture::Site;
 use super::side_of;
-use super::symmetry::Resolved;
 use crate::diagnostics::Error;
+use crate::phonology::symmetry::Resolved;
 use crate::phonology::{Hand, Sign};
 use glam::DVec3;
 

@@ -4,7 +4,6 @@ use super::anchor::Anchor;
 use super::legs::Leg;
 use super::placed::going_back;
 use super::posture::{Part, Site};
-use super::symmetry::{acts, resolve};
 use super::{Grammar, side_of};
 use crate::body::landmarks::ContactPoint;
 use crate::body::signer::Signer;
@@ -12,6 +11,7 @@ use crate::diagnostics::Error;
 use crate::motion::easing::slerp;
 use crate::motion::pose::ModelPose;
 use crate::phonology::handshape::HandAngles;
+use crate::phonology::symmetry::{acts, resolve};
 use crate::phonology::{Hand, Side, Sign};
 use glam::{DQuat, DVec3};
 

@@ -4,12 +4,12 @@ use super::anchor::Anchor;
 use super::plan::{KeyPosture, Planner};
 use super::reach::{from_outside, natural_rotation, strain};
 use super::side_of;
-use super::symmetry::{Resolved, points};
 use crate::body::landmarks::ContactPoint;
 use crate::diagnostics::Error;
 use crate::motion::easing::slerp;
 use crate::motion::pose::LocalPose;
 use crate::motion::rotation::{angle_between, to_vector};
+use crate::phonology::symmetry::{Resolved, points};
 use crate::phonology::{
     Configuration, ContactKind, Hand, HandPart, HandPoint, Hands, Orientation, Place, Placement, Side, Sign,
 };

@@ -3,8 +3,8 @@
 use super::prepare::Prepared;
 use super::schedule::Schedule;
 use super::side_of;
-use super::symmetry::{acts, resolve};
 use super::timeline::Timeline;
+use crate::phonology::symmetry::{acts, resolve};
 use crate::phonology::{
     Action, Channel, Configuration, Contact, ContactKind, Distance, Hand, HandshapeChange, Keys, Motion, Movement,
     NonManual, NonManualValue, Orientation, Place, Placement, Side,

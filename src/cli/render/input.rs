@@ -1,15 +1,19 @@
-//! What is to be rendered: signs of files, of standard input, or of the lexicon by name.
+//! What is to be rendered: signs of files, of standard input, of the lexicon by name; gloss lines.
 
-use super::super::{Failure, Sources, files, terminal, world};
+use super::super::{Failure, Sources, files, gloss, world};
 use super::Render;
-use crate::diagnostics::Severity;
 use crate::format::html::Page;
-use crate::notation::lexicon::language_of_path;
-use crate::notation::{Vocabulary, read};
+use crate::notation::Vocabulary;
 use crate::phonology::Sign;
 use crate::phonology::grammar::fold;
+use crate::phonology::operator::for_left_hander;
+use crate::score::gloss::{Handedness, Reading, Settings};
 use crate::score::plan::Plan;
+use crate::synthesis::Grammar;
 use std::path::Path;
+
+/// Names of files are cut to so many characters: a gloss line may be longer than a file's name can be.
+const LONGEST_NAME: usize = 80;
 
 /// One thing to render: it becomes one performance, and one file in each format.
 pub(super) struct Asked {
@@ -30,10 +34,17 @@ pub(super) struct Request {
 }
 
 /// Reads what a command line names.
-pub(super) fn request(render: &Render, sources: &Sources, vocabulary: &Vocabulary) -> Result<Request, Failure> {
+pub(super) fn request(
+    render: &Render,
+    sources: &Sources,
+    grammar: &Grammar,
+    vocabulary: &Vocabulary,
+) -> Result<Request, Failure> {
     let mut signs = Vec::new();
+    let mut lines = Vec::new();
     let mut faulty = false;
     let mut lexicon = None;
+    let handedness = if render.left_handed { Handedness::Left } else { Handedness::Right };
     for what in &render.what {
         let path = Path::new(what);
         if what != "-" && !what.ends_with(".sign") && !path.exists() {
@@ -41,20 +52,40 @@ pub(super) fn request(render: &Render, sources: &Sources, vocabulary: &Vocabular
                 Some(known) => known,
                 None => lexicon.insert(world::lexicon(sources, vocabulary)?),
             };
+            if gloss::is_line(what, known) {
+                let settings = Settings { language: render.language.clone(), handedness, ..Settings::default() };
+                let reading = gloss::read_line(what, known, grammar, vocabulary, &settings);
+                if reading.has_faults() {
+                    faulty = true;
+                } else {
+                    lines.push(of_line(what, reading));
+                }
+                continue;
+            }
             let entry = known.find(what, render.language.as_deref());
             signs.push(entry.map_err(|e| Failure::Faults(Some(e.to_string())))?.sign.clone());
             continue;
         }
-        for text in files::read_all(&[path.to_owned()])? {
-            let mut reading = read(&text.source.text, vocabulary, language_of_path(&text.source.name));
-            reading.diagnostics.extend(text.fault);
-            terminal::tell(&reading.diagnostics, &text.source);
-            faulty |= reading.diagnostics.iter().any(|d| d.severity == Severity::Fault);
-            signs.extend(reading.signs.into_iter().map(|s| s.sign));
-        }
+        let (described, faults) = world::described(sources, vocabulary, files::read_all(&[path.to_owned()])?)?;
+        faulty |= faults;
+        signs.extend(described.into_iter().map(|d| d.sign));
     }
     choose(&mut signs, &render.sign)?;
-    Ok(Request { asked: signs.into_iter().map(of_sign).collect(), faulty })
+    let by_signer = |sign: Sign| match handedness {
+        Handedness::Right => sign,
+        Handedness::Left => for_left_hander(&sign),
+    };
+    let mut asked: Vec<Asked> = signs.into_iter().map(by_signer).map(of_sign).collect();
+    asked.extend(lines);
+    Ok(Request { asked, faulty })
+}
+
+/// A gloss line: its name is the line itself.
+fn of_line(text: &str, reading: Reading) -> Asked {
+    let title = text.split_whitespace().collect::<Vec<_>>().join(" ");
+    let name = title.chars().filter(|c| !c.is_control()).take(LONGEST_NAME).collect();
+    let facts = vec![("status".to_owned(), "unverified".to_owned())];
+    Asked { name, plan: reading.plan, page: Page { title, language: reading.language, facts } }
 }
 
 /// Keeps the signs of these names; all of them where no name is given.

@@ -15,11 +15,11 @@ use output::{Format, Outputs};
 
 #[derive(Debug, clap::Args)]
 #[command(
-    after_help = "Examples:\n  chereme render lexicon/lsf/bol.sign -o bol.html      a page: the avatar signs, open it in a browser\n  chereme render BOL -o bol.html -o bol.glb -o bol.eaf  several outputs at once\n  chereme render lexicon/lsf -o pages/                  one page a sign, into a folder\n  chereme render lexicon/lsf/alphabet.sign --sign A,B -o letters/ --format html,glb\n  chereme render BOL --speed 0.5 --easing minimum-jerk -o slow.html"
+    after_help = "Examples:\n  chereme render lexicon/lsf/bol.sign -o bol.html      a page: the avatar signs, open it in a browser\n  chereme render BOL -o bol.html -o bol.glb -o bol.eaf  several outputs at once\n  chereme render lexicon/lsf -o pages/                  one page a sign, into a folder\n  chereme render lexicon/lsf/alphabet.sign --sign A,B -o letters/ --format html,glb\n  chereme render \"BONJOUR, CHIEN BOL@left fs(LSF)\" -o line.html     a gloss line, as one motion\n  chereme render BOL --speed 0.5 --easing minimum-jerk -o slow.html"
 )]
 pub(super) struct Render {
-    /// Files or folders of signs, names of signs, or - for standard input
-    #[arg(value_name = "FILE|NAME", required = true)]
+    /// Files or folders of signs, names of signs, gloss lines, or - for standard input
+    #[arg(value_name = "FILE|NAME|LINE", required = true)]
     what: Vec<String>,
     /// Where to: a file (.html, .glb, .eaf), a folder (ending in /) for one file a sign, or - for standard output; repeatable
     #[arg(short, long, value_name = "OUT", required = true)]
@@ -30,9 +30,12 @@ pub(super) struct Render {
     /// Only these signs of the files
     #[arg(long, value_name = "NAME", value_delimiter = ',')]
     sign: Vec<String>,
-    /// The language of signs given by name, where several have one of that name
+    /// The language of signs given by name and of gloss lines, where several have one of that name
     #[arg(long, value_name = "NAME")]
     language: Option<String>,
+    /// The signer's strong hand is the left one; places in space stay where they are
+    #[arg(long)]
+    left_handed: bool,
     /// Frames a second
     #[arg(long, value_name = "N", default_value_t = Fps::DEFAULT.get())]
     fps: f64,
@@ -59,7 +62,7 @@ impl Render {
         let grammar = world::grammar(sources)?;
         let vocabulary = Vocabulary::of(&grammar.handshapes, &grammar.locations, &grammar.expressions);
         let outputs = Outputs::of(self, &vocabulary)?;
-        let Request { asked, mut faulty } = input::request(self, sources, &vocabulary)?;
+        let Request { asked, mut faulty } = input::request(self, sources, &grammar, &vocabulary)?;
         if asked.is_empty() && !faulty {
             return Err(Failure::Faults(Some("there is no sign to render".into())));
         }

@@ -171,7 +171,13 @@ impl Names<'_> {
         let fault = Diagnostic::fault(name.span, format!("`{}` is not a known value of {word}", name.value))
             .label("unknown value");
         let elsewhere = self.vocabulary.nonmanuals.iter().find(|(_, n)| n.id(&name.value).is_some());
-        faults.push(if let Some(near) = names.nearest(&name.value) {
+        let next = name.value.split_once(' ').filter(|(first, rest)| {
+            let of = rest.split(' ').next().unwrap_or_default();
+            names.id(first).is_some() && Channel::ALL.iter().any(|c| c.name().eq_ignore_ascii_case(of))
+        });
+        faults.push(if let Some((first, rest)) = next {
+            fault.hint(format!("is a comma missing? `{first}, {rest}`"))
+        } else if let Some(near) = names.nearest(&name.value) {
             fault.hint(format!("did you mean `{near}`?"))
         } else if let Some((other, _)) = elsewhere {
             fault.hint(format!("that is a value of `{}`", other.name()))

@@ -1,11 +1,29 @@
 //! What the weak hand does when it follows the strong one.
 
-use super::legs::Turns;
-use crate::phonology::{
-    Configuration, Contact, Direction, Hand, Hands, Heading, Keys, Lateral, Manual, Movement, Orientation, Place,
-    Placement, Relation, Sign, Space, Symmetry,
-};
+use super::configuration::Configuration;
+use super::direction::{Direction, Heading};
+use super::hand::{Hand, HandPoint, Side};
+use super::movement::{Action, Movement};
+use super::orientation::Orientation;
+use super::placement::{Contact, Lateral, Place, Placement, Space};
+use super::sign::{Hands, Keys, Manual, Relation, Sign, Symmetry};
 use glam::DVec3;
+
+/// Whether a hand takes turns with the other.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Turns {
+    /// It follows the other hand: movements marked as alternating put it half a cycle behind.
+    pub follower: bool,
+    /// All its movements are half a cycle behind.
+    pub behind: bool,
+}
+
+impl Turns {
+    /// Whether an action is half a cycle behind.
+    pub fn behind(self, action: &Action) -> bool {
+        self.behind || self.follower && action.alternating
+    }
+}
 
 /// The tiers of one hand with everything that follows from a symmetry filled in.
 #[derive(Debug, Clone)]
@@ -98,7 +116,7 @@ fn or_else<T: Clone>(own: &Keys<T>, other: impl Fn() -> Keys<T>) -> Keys<T> {
     if own.is_empty() { other() } else { own.clone() }
 }
 
-fn map_keys<T, U>(keys: &Keys<T>, f: impl Fn(&T) -> U) -> Keys<U> {
+pub(super) fn map_keys<T, U>(keys: &Keys<T>, f: impl Fn(&T) -> U) -> Keys<U> {
     Keys::new(keys.iter().map(|(k, v)| (k, f(v))).collect()).unwrap_or_default()
 }
 
@@ -110,7 +128,7 @@ fn mirrored(p: &Placement, exchange: &impl Fn(Direction) -> Direction, symmetry:
     Placement { place: mirrored_place(&p.place, left_right), lateral, offset, ..p.clone() }
 }
 
-fn mirrored_place(place: &Place, left_right: bool) -> Place {
+pub(super) fn mirrored_place(place: &Place, left_right: bool) -> Place {
     match place {
         Place::Space(cell) if left_right => Place::Space(Space { left: -cell.left, ..*cell }),
         Place::Point(p) if left_right => Place::Point(DVec3::new(-p.x, p.y, p.z)),
@@ -123,8 +141,7 @@ fn mirrored_place(place: &Place, left_right: bool) -> Place {
 }
 
 /// The hands crossed over: each on the other's side.
-fn crossed(p: &Placement, hand: Hand) -> Placement {
-    use crate::phonology::Side;
+pub(super) fn crossed(p: &Placement, hand: Hand) -> Placement {
     let other_side = match hand {
         Hand::Strong => Side::Left,
         Hand::Weak => Side::Right,
@@ -134,7 +151,7 @@ fn crossed(p: &Placement, hand: Hand) -> Placement {
 }
 
 /// A contact seen from a hand: its own point, and the other's.
-pub fn points(contact: &Contact, hand: Hand) -> (crate::phonology::HandPoint, crate::phonology::HandPoint) {
+pub fn points(contact: &Contact, hand: Hand) -> (HandPoint, HandPoint) {
     match hand {
         Hand::Strong => (contact.strong, contact.weak),
         Hand::Weak => (contact.weak, contact.strong),
