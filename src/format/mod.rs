@@ -3,5 +3,8 @@
 //! Readers take any bytes and answer with data or an [`Error`](crate::diagnostics::Error); writers
 //! return bytes or text. Nothing here opens a file or knows what a sign is.
 
+pub mod csv;
 pub mod glb;
 pub mod html;
+pub mod profile_plot;
+pub mod svg;
