@@ -59,7 +59,8 @@ fn an_empty_figure_is_a_figure() {
 
 #[test]
 fn an_hour_is_a_small_file_and_keeps_its_peak() {
-    let mut points: Vec<(f64, f64)> = (0..216_000).map(|i| (f64::from(i) / 60.0, (f64::from(i) / 500.0).sin())).collect();
+    let mut points: Vec<(f64, f64)> =
+        (0..216_000).map(|i| (f64::from(i) / 60.0, (f64::from(i) / 500.0).sin())).collect();
     points[100_001].1 = 9.0;
     let row = Row { title: "x".into(), base: Base::Data, panels: vec![Panel { lines: vec![Line { key: 0, points }] }] };
     let svg = write(&Figure { columns: vec![Column::default()], rows: vec![row], ..Figure::default() });
@@ -78,10 +79,8 @@ fn a_small_figure_is_as_it_was() {
         measure,
         values: values.to_vec(),
     };
-    let curves = vec![
-        curve(Measure::Height, [1.0, 1.02, 1.1, 1.18, 1.2]),
-        curve(Measure::Speed, [0.0, 0.4, 0.8, 0.4, 0.0]),
-    ];
+    let curves =
+        vec![curve(Measure::Height, [1.0, 1.02, 1.1, 1.18, 1.2]), curve(Measure::Speed, [0.0, 0.4, 0.8, 0.4, 0.0])];
     let times = (0..5).map(|i| Seconds(f64::from(i) / 10.0)).collect();
     let phase = |name: &str, start, end| Phase { name: name.into(), start: Seconds(start), end: Seconds(end) };
     let phases = vec![phase("preparation", 0.0, 0.2), phase("stroke", 0.2, 0.4)];
