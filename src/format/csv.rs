@@ -57,21 +57,18 @@ pub fn write(profile: &Profile, decimals: usize) -> String {
     String::from_utf8(writer.into_inner().unwrap_or_default()).unwrap_or_default()
 }
 
-/// The phase that each row stands in: from its start up to its end; the last row is in the phase of the row before it
-/// where that does not end earlier.
+/// The phase that each row stands in: from its start up to its end. The last row, where nothing moves on from, is as the
+/// row before it; one row alone is no stretch of time.
 fn phases_of_rows(profile: &Profile) -> Vec<&str> {
     const NOISE: f64 = 1e-9;
-    let (times, phases) = (profile.times(), profile.phases());
-    let at = |time: Seconds| phases.iter().find(|p| p.start.0 <= time.0 + NOISE && time.0 + NOISE < p.end.0);
-    let mut rows: Vec<Option<&Phase>> = times.iter().map(|time| at(*time)).collect();
-    if let [.., before, last] = &mut rows[..] {
-        let end = times[times.len() - 1].0;
-        *last = before.filter(|p| p.end.0 + NOISE >= end);
-    } else {
-        // One row is no stretch of time.
-        rows.fill(None);
+    let holds = |p: &&Phase, time: &Seconds| p.start.0 <= time.0 + NOISE && time.0 + NOISE < p.end.0;
+    let name = |time| profile.phases().iter().find(|p| holds(p, time)).map_or("", |p| p.name.as_str());
+    let mut rows: Vec<&str> = profile.times().iter().map(name).collect();
+    match &mut rows[..] {
+        [.., before, last] => *last = *before,
+        short => short.fill(""),
     }
-    rows.into_iter().map(|p| p.map_or("", |p| p.name.as_str())).collect()
+    rows
 }
 
 /// A number with so many decimals; what rounds to zero has no sign.

@@ -99,7 +99,7 @@ fn profile_says_what_it_cannot_do() {
         (with(&["--measure", "sped"]), 2, "there is no measure called `sped`"),
         (with(&["-o", "x.png"]), 2, ".svg for a figure"),
         (with(&["--tolerance", "1%"]), 2, "--against"),
-        (with(&["--against", "bad.csv", "--tolerance", "-1"]), 2, "no tolerance"),
+        (with(&["--against", "bad.csv", "--tolerance=-1"]), 2, "no tolerance"),
         (vec!["profile", "bad.csv"], 1, "bad.csv: line 2, column 2: `one` is no finite number"),
         (vec!["profile", "up.sign", "--fps", "0"], 2, "--fps"),
         (vec!["profile", "none.csv"], 2, "no file"),

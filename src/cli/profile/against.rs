@@ -48,7 +48,7 @@ pub(super) fn compare(
     let comparison = difference::compare(&golden, &found.profile, |m| args.tolerance(m));
     let comparison = comparison.map_err(|e| Failure::Faults(Some(format!("{}: {e}", found.name))))?;
     let name = path.file_stem().map(|s| s.to_string_lossy().into_owned()).unwrap_or_default();
-    let old = Motion { name: format!("{name} (golden)"), profile: golden, marks: found.marks.clone() };
+    let old = Motion { name: format!("{name} (golden)"), profile: golden, marks: Vec::new() };
     let title = args.title.clone().unwrap_or_else(|| format!("{} against {name}", found.name));
     outputs.write(motions, || against(&title, &old, found, |m| args.tolerance(m)))?;
     if let Some((golden, now)) = comparison.durations {

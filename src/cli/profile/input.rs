@@ -29,6 +29,8 @@ pub(super) fn motions(args: &ProfileArgs, sources: &Sources, wanted: &Wanted) ->
     for what in &args.what {
         if tables(what) {
             motions.push(table(Path::new(what), wanted)?);
+        } else if has_extension(what, "bvh") {
+            return Err(Failure::Usage(format!("{what}: recordings cannot be measured yet; signs and profiles can")));
         } else {
             signs.extend(finder.find(what)?);
         }

@@ -99,7 +99,7 @@ impl Outputs<'_> {
         }
         match (self.args.what.as_slice(), motions) {
             // One sign under several easings.
-            ([what], [_, _, ..]) => what.clone(),
+            ([what], [_, _, ..]) => Path::new(what).file_stem().map_or(what.clone(), |s| s.to_string_lossy().into()),
             _ => motions.iter().map(|m| m.name.as_str()).collect::<Vec<_>>().join(", "),
         }
     }

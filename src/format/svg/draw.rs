@@ -4,7 +4,10 @@ use super::scale::Scale;
 use super::{Base, Column, Figure, Line, Row};
 use std::fmt::Write;
 
+/// The left edge of panels.
 const LEFT: f64 = 62.0;
+/// The left edge of headings.
+const EDGE: f64 = 14.0;
 const RIGHT: f64 = 22.0;
 /// Between columns.
 const GUTTER: f64 = 18.0;
@@ -21,11 +24,11 @@ const STYLE: &str = "\
 text{font:12px system-ui,-apple-system,'Segoe UI','DejaVu Sans',sans-serif;fill:#22262b}
 .paper{fill:#ffffff}.title{font-size:18px;font-weight:600}.head{font-weight:600}.soft{fill:#5b6470}.small{font-size:11px}
 .grid{stroke:#e3e7eb;stroke-width:1}.axis{stroke:#8b949e;stroke-width:1;fill:none}.band{fill:#eef2f6}.limit{fill:#2f9e6e;fill-opacity:.13}
-.mark{stroke:#5b6470;stroke-width:1;stroke-dasharray:2 3}.letter{font-weight:600;font-size:11px}
+.mark{stroke:#5b6470;stroke-width:1;stroke-dasharray:2 3}.letter{font-weight:600;font-size:11px}.halo{stroke:#ffffff;stroke-width:4;stroke-opacity:.75;paint-order:stroke}
 .line{fill:none;stroke-width:1.9;stroke-linejoin:round;stroke-linecap:round}.dashed{stroke-dasharray:6 4}
 .c0{stroke:#1f6fb4}.c1{stroke:#d1495b}.c2{stroke:#23895f}.c3{stroke:#8456bd}.c4{stroke:#c07a12}.c5{stroke:#11889a}.c6{stroke:#b03f8a}.c7{stroke:#6b7078}
 @media (prefers-color-scheme:dark){text{fill:#e4e8ec}.paper{fill:#15181c}.soft{fill:#9aa4af}.grid{stroke:#2a3037}.axis{stroke:#6d7681}.band{fill:#1d2228}
-.limit{fill:#4fc08d;fill-opacity:.16}.mark{stroke:#9aa4af}
+.limit{fill:#4fc08d;fill-opacity:.16}.mark{stroke:#9aa4af}.halo{stroke:#15181c}
 .c0{stroke:#62aeea}.c1{stroke:#f0808d}.c2{stroke:#55c596}.c3{stroke:#b794e6}.c4{stroke:#e8ab4e}.c5{stroke:#48c3d4}.c6{stroke:#e382c0}.c7{stroke:#a6adb6}}
 ";
 
@@ -62,11 +65,11 @@ pub(super) fn draw(figure: &Figure) -> String {
     };
     let width = LEFT + columns as f64 * (panel + GUTTER) - GUTTER + RIGHT;
     let mut body = String::new();
-    put(&mut body, "title", LEFT, 32.0, "start", &cut(&figure.title, width - LEFT, 10.0));
+    put(&mut body, "title", EDGE, 32.0, "start", &cut(&figure.title, width - EDGE - RIGHT, 10.0));
     let mut y = 32.0;
     if !figure.subtitle.is_empty() {
         y += 21.0;
-        put(&mut body, "soft", LEFT, y, "start", &cut(&figure.subtitle, width - LEFT, LETTER));
+        put(&mut body, "soft", EDGE, y, "start", &cut(&figure.subtitle, width - EDGE - RIGHT, LETTER));
     }
     y = legend(&mut body, figure, width, y);
     if figure.columns.iter().any(|c| !c.title.is_empty()) {
@@ -93,12 +96,12 @@ pub(super) fn draw(figure: &Figure) -> String {
 /// What each colour means, in lines; returns where the last line stands.
 fn legend(body: &mut String, figure: &Figure, width: f64, above: f64) -> f64 {
     const SAMPLE: f64 = 24.0;
-    let (mut x, mut y) = (LEFT, above);
+    let (mut x, mut y) = (EDGE, above);
     for (i, key) in figure.keys.iter().enumerate() {
         let label = cut(key, 260.0, LETTER);
         let length = SAMPLE + 7.0 + label.chars().count() as f64 * LETTER + 18.0;
         if i == 0 || x + length > width {
-            (x, y) = (LEFT, y + 22.0);
+            (x, y) = (EDGE, y + 22.0);
         }
         let class = class(i);
         let _ = writeln!(
@@ -123,9 +126,9 @@ fn panels(body: &mut String, figure: &Figure, sheet: &Sheet) {
         let left = sheet.left(c);
         let x = Scale::new(span, (left, left + sheet.panel), sheet.panel / 75.0);
         for r in 0..figure.rows.len() {
-            bands(body, column, &x, sheet, (c, r));
+            grounds(body, column, &x, sheet, (c, r));
         }
-        heads(body, column, &x, sheet, (c, bottom));
+        heads(body, column, &x, sheet, c);
         for (r, row) in figure.rows.iter().enumerate() {
             let y = scale(row, (sheet.top(r) + sheet.row, sheet.top(r)));
             panel(body, row, sheet, (c, r), (&x, &y));
@@ -151,37 +154,43 @@ fn scale(row: &Row, pixels: (f64, f64)) -> Scale {
     Scale::new((low, high), pixels, 4.0).rounded()
 }
 
-/// Every second phase has a ground of its own.
-fn bands(body: &mut String, column: &Column, x: &Scale, sheet: &Sheet, (c, r): (usize, usize)) {
+/// What stands behind the curves of a panel: every second phase has a ground of its own, every instant a line.
+fn grounds(body: &mut String, column: &Column, x: &Scale, sheet: &Sheet, (c, r): (usize, usize)) {
+    let (top, height) = (sheet.top(r), sheet.row);
     for phase in column.phases.iter().skip(1).step_by(2) {
         let (from, to) = inside(x, sheet, c, phase.start.0, phase.end.0);
-        let (top, width) = (sheet.top(r), to - from);
+        let width = to - from;
         let _ = writeln!(
             body,
-            "<rect class=\"band\" x=\"{from:.1}\" y=\"{top:.1}\" width=\"{width:.1}\" height=\"{:.1}\"/>",
-            sheet.row
+            "<rect class=\"band\" x=\"{from:.1}\" y=\"{top:.1}\" width=\"{width:.1}\" height=\"{height:.1}\"/>"
         );
+    }
+    for (at, _) in marks(column, x, sheet, c) {
+        let bottom = top + height;
+        let _ =
+            writeln!(body, "<line class=\"mark\" x1=\"{at:.1}\" x2=\"{at:.1}\" y1=\"{top:.1}\" y2=\"{bottom:.1}\"/>");
     }
 }
 
-/// The names of phases and the letters of instants, above the first row.
-fn heads(body: &mut String, column: &Column, x: &Scale, sheet: &Sheet, (c, bottom): (usize, f64)) {
+/// The instants that lie in a column, in pixels, with their letters.
+fn marks<'a>(column: &'a Column, x: &Scale, sheet: &Sheet, c: usize) -> Vec<(f64, &'a str)> {
+    let (left, right) = (sheet.left(c) - 0.5, sheet.left(c) + sheet.panel + 0.5);
+    let all = column.marks.iter().map(|mark| (x.at(mark.time.0), mark.name.as_str()));
+    all.filter(|(at, _)| (left..=right).contains(at)).collect()
+}
+
+/// The names of phases in the first row, and the letters of instants above it.
+fn heads(body: &mut String, column: &Column, x: &Scale, sheet: &Sheet, c: usize) {
     let top = sheet.top(0);
     for phase in &column.phases {
         let (from, to) = inside(x, sheet, c, phase.start.0, phase.end.0);
-        // A name without room is left to its neighbours: half a word says less than the band.
+        // A name without room is left out: half a word says less than the band.
         if phase.name.chars().count() as f64 * 0.9 * LETTER <= to - from {
-            put(body, "small soft", (from + to) / 2.0, top + 13.0, "middle", &phase.name);
+            put(body, "small soft halo", (from + to) / 2.0, top + 13.0, "middle", &phase.name);
         }
     }
-    for mark in &column.marks {
-        let at = x.at(mark.time.0);
-        if at < sheet.left(c) - 0.5 || at > sheet.left(c) + sheet.panel + 0.5 {
-            continue;
-        }
-        let _ =
-            writeln!(body, "<line class=\"mark\" x1=\"{at:.1}\" x2=\"{at:.1}\" y1=\"{top:.1}\" y2=\"{bottom:.1}\"/>");
-        put(body, "letter", at, top - 5.0, "middle", &mark.name);
+    for (at, letter) in marks(column, x, sheet, c) {
+        put(body, "letter", at, top - 5.0, "middle", letter);
     }
 }
 
@@ -197,7 +206,7 @@ fn panel(body: &mut String, row: &Row, sheet: &Sheet, (c, r): (usize, usize), (x
     if c == 0 {
         // Letters of instants stand between the first row and its heading.
         let lift = if r == 0 { 18.0 } else { 9.0 };
-        put(body, "head", 14.0, top - lift, "start", &row.title);
+        put(body, "head", EDGE, top - lift, "start", &row.title);
     }
     for (value, text) in y.ticks() {
         let at = y.at(value);
@@ -207,7 +216,9 @@ fn panel(body: &mut String, row: &Row, sheet: &Sheet, (c, r): (usize, usize), (x
             put(body, "small soft", left - 8.0, at + 4.0, "end", &text);
         }
     }
-    if let Base::Tolerance(size) = row.base {
+    if let Base::Tolerance(size) = row.base
+        && size.is_finite()
+    {
         let (from, to) = (y.at(size), y.at(-size));
         let _ = writeln!(
             body,

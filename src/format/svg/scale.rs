@@ -55,9 +55,15 @@ impl Scale {
     }
 }
 
-/// The least of 1, 2 and 5 times a power of ten that is not below `size`.
+/// Of 1, 2, 5 and 10 times a power of ten the one nearest to `size`, in ratio.
 fn round_step(size: f64) -> f64 {
     let power = 10f64.powf(size.log10().floor());
-    let step = [1.0, 2.0, 5.0].into_iter().find(|m| m * power >= size * (1.0 - 1e-9));
-    step.unwrap_or(10.0) * power
+    // The boundaries are the geometric means of neighbours.
+    let step = match size / power {
+        share if share < 2f64.sqrt() => 1.0,
+        share if share < 10f64.sqrt() => 2.0,
+        share if share < 50f64.sqrt() => 5.0,
+        _ => 10.0,
+    };
+    step * power
 }
