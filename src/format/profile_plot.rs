@@ -7,6 +7,7 @@ use crate::diagnostics::Error;
 use crate::motion::curve::{Curve, Measure, Profile, Reference, of_clip};
 use crate::motion::difference::Tolerance;
 use crate::motion::point::Point;
+use crate::time::Seconds;
 use crate::track::Track;
 
 /// A profile under the name of its motion.
@@ -95,9 +96,7 @@ pub fn figure(title: &str, motions: &[Motion], layout: Layout) -> Figure {
             if motions.len() > 1 && points.len() == 1 {
                 figure.subtitle = points[0].to_owned();
             }
-            // Phases of several motions would hide one another: the first one's stand for all.
-            let first = motions.iter().find(|m| !m.profile.phases().is_empty()).or(motions.first());
-            figure.columns = first.map(|m| column(m, "")).into_iter().collect();
+            figure.columns = vec![shared_column(motions)];
             let lines = |kind: Kind| {
                 let of = |(i, m): (usize, &Motion)| lines(&m.profile, kind, |c| i * points.len() + number(c));
                 motions.iter().enumerate().flat_map(of).collect()
@@ -112,6 +111,7 @@ pub fn figure(title: &str, motions: &[Motion], layout: Layout) -> Figure {
 pub fn against(title: &str, golden: &Motion, found: &Motion, tolerance: impl Fn(Measure) -> Tolerance) -> Figure {
     let both = [golden.clone(), found.clone()];
     let mut figure = figure(title, &both, Layout::Overlaid);
+    figure.columns = vec![column(golden, "")];
     let per_motion = figure.keys.len() / 2;
     let mut rows = Vec::new();
     for (row, kind) in figure.rows.into_iter().zip(kinds(&both)) {
@@ -121,7 +121,7 @@ pub fn against(title: &str, golden: &Motion, found: &Motion, tolerance: impl Fn(
         for (i, curve) in golden.profile.curves().iter().filter(|c| (c.reference, c.measure) == kind).enumerate() {
             let Some(other) = found.profile.like(curve) else { continue };
             allowed = allowed.max(tolerance(curve.measure).of(curve));
-            let apart = |(time, value): (&crate::time::Seconds, &f64)| (time.0, found.profile.at(other, *time) - value);
+            let apart = |(time, value): (&Seconds, &f64)| (time.0, found.profile.at(other, *time) - value);
             lines.push(Line {
                 key: per_motion + i,
                 points: golden.profile.times().iter().zip(&curve.values).map(apart).collect(),
@@ -145,6 +145,23 @@ fn kinds(motions: &[Motion]) -> Vec<Kind> {
         }
     }
     kinds
+}
+
+/// What stands behind motions that are laid over one another: the first one's phases and letters where all have them at the same
+/// times, else nothing, because they would be read as those of every curve.
+fn shared_column(motions: &[Motion]) -> Column {
+    const SAME: f64 = 0.02;
+    let Some((first, others)) = motions.split_first() else { return Column::default() };
+    let same = |a: Seconds, b: Seconds| (a - b).0.abs() <= SAME;
+    let agrees = |other: &Motion| {
+        let (p, q) = (first.profile.phases(), other.profile.phases());
+        p.len() == q.len()
+            && p.iter().zip(q).all(|(p, q)| p.name == q.name && same(p.start, q.start) && same(p.end, q.end))
+    };
+    match others.iter().all(agrees) {
+        true => column(first, ""),
+        false => Column::default(),
+    }
 }
 
 fn column(motion: &Motion, title: &str) -> Column {

@@ -58,6 +58,21 @@ fn an_empty_figure_is_a_figure() {
 }
 
 #[test]
+fn phases_of_one_motion_are_not_shown_as_those_of_another() {
+    let profile = |end| {
+        let phase = Phase { name: "stroke".into(), start: Seconds(0.0), end: Seconds(end) };
+        Profile::new(vec![Seconds(0.0), Seconds(1.0)], vec![]).unwrap().with_phases(vec![phase])
+    };
+    let phases = |ends: [f64; 2], layout| {
+        let motions = ends.map(|end| motion("a", profile(end)));
+        figure("", &motions, layout).columns.iter().map(|c| c.phases.len()).sum::<usize>()
+    };
+    assert_eq!(phases([0.5, 0.51], Layout::Overlaid), 1);
+    assert_eq!(phases([0.5, 0.8], Layout::Overlaid), 0);
+    assert_eq!(phases([0.5, 0.8], Layout::Columns), 2);
+}
+
+#[test]
 fn an_hour_is_a_small_file_and_keeps_its_peak() {
     let mut points: Vec<(f64, f64)> =
         (0..216_000).map(|i| (f64::from(i) / 60.0, (f64::from(i) / 500.0).sin())).collect();
