@@ -102,7 +102,7 @@ fn curve(heading: &str) -> Result<Curve, Error> {
     Ok(Curve { point: point.to_owned(), reference, measure, values: Vec::new() })
 }
 
-/// Reads a table that [`write`] or another program wrote.
+/// Reads a table that [`write()`] or another program wrote.
 ///
 /// # Errors
 /// What the module refuses, with line and column.

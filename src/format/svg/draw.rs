@@ -13,6 +13,8 @@ const RIGHT: f64 = 22.0;
 const GUTTER: f64 = 18.0;
 /// Above each row, for its heading.
 const HEADING: f64 = 30.0;
+/// How far a row's heading stands above its panel.
+const HEADING_LIFT: f64 = 9.0;
 /// Below the last row, for the ticks of time.
 const FOOT: f64 = 46.0;
 /// An average letter of the text's size 12.
@@ -39,6 +41,8 @@ struct Sheet {
     row: f64,
     /// Top of the first row's heading.
     top: f64,
+    /// How far the first heading stands above its panel: letters of instants stand between them.
+    lift: f64,
 }
 
 impl Sheet {
@@ -77,7 +81,8 @@ pub(super) fn draw(figure: &Figure) -> String {
     }
     let strips = figure.columns.iter().any(|c| !c.phases.is_empty() || !c.marks.is_empty());
     let row = if figure.rows.len() <= 2 { 190.0 } else { 140.0 };
-    let sheet = Sheet { width, panel, row, top: y + if strips { 16.0 } else { 0.0 } };
+    let (top, lift) = if strips { (y + 16.0, 18.0) } else { (y + 8.0, HEADING_LIFT) };
+    let sheet = Sheet { width, panel, row, top, lift };
     for (i, column) in figure.columns.iter().enumerate() {
         if !column.title.is_empty() {
             let title = cut(&column.title, panel, LETTER);
@@ -204,8 +209,7 @@ fn panel(body: &mut String, row: &Row, sheet: &Sheet, (c, r): (usize, usize), (x
     let (left, right) = (sheet.left(c), sheet.left(c) + sheet.panel);
     let (top, bottom) = (sheet.top(r), sheet.top(r) + sheet.row);
     if c == 0 {
-        // Letters of instants stand between the first row and its heading.
-        let lift = if r == 0 { 18.0 } else { 9.0 };
+        let lift = if r == 0 { sheet.lift } else { HEADING_LIFT };
         put(body, "head", EDGE, top - lift, "start", &row.title);
     }
     for (value, text) in y.ticks() {
