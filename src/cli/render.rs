@@ -84,7 +84,7 @@ impl Render {
         let fps = Fps::new(self.fps).ok_or_else(|| {
             Failure::Usage(format!("--fps {}: frames a second lie above 0 and up to {}", self.fps, Fps::MAX))
         })?;
-        let options = Options { fps, easing: self.easing, speed: self.speed, paper: self.paper };
+        let options = Options { fps, easing: self.easing, speed: self.speed, paper: self.paper, ..Options::default() };
         let targets = self.output.iter().map(|o| target(o)).collect::<Result<Vec<_>, _>>()?;
         let grammar = world::grammar(sources)?;
         let vocabulary = Vocabulary::of(&grammar.handshapes, &grammar.locations, &grammar.expressions);
