@@ -4,6 +4,9 @@ use crate::motion::clip::Clip;
 use crate::motion::curve::Phase;
 use crate::tier::Tier;
 
+/// The values of the Phase tiers, in the order in which signs have them; a transition leads from one sign to the next.
+pub const PHASES: [&str; 5] = ["preparation", "transition", "stroke", "hold", "retraction"];
+
 /// A clip with its tiers; what `synthesis` makes, `format` writes and `dance` moves to music.
 ///
 /// Tiers are named `RH`/`LH` × Gloss, Phase, Configuration, Placement, Orientation, Movement, plus

@@ -182,12 +182,16 @@ fn files_without_a_sign_are_a_fault() {
 fn render_writes_pages_and_files_and_overwrites_nothing_unasked() {
     let folder = Folder::new("render");
     folder.write("bol.sign", GOOD);
-    let done = run(&folder.0, &["render", "bol.sign", "-o", "bol.html", "-o", "bol.glb"], "");
+    let done = run(&folder.0, &["render", "bol.sign", "-o", "bol.html", "-o", "bol.glb", "-o", "bol.eaf"], "");
     assert_eq!(done.code, 0, "{}", done.err);
     assert!(done.err.contains("bol.glb"), "{}", done.err);
     let page = fs::read_to_string(folder.0.join("bol.html")).unwrap();
     assert!(page.starts_with("<!doctype html>") && page.contains("RH Phase") && page.contains("unverified"));
     assert!(fs::read(folder.0.join("bol.glb")).unwrap().starts_with(b"glTF"));
+    let tiers = fs::read_to_string(folder.0.join("bol.eaf")).unwrap();
+    assert!(tiers.contains("TIER_ID=\"LH Movement\"") && tiers.contains(">retraction</CVE_VALUE>"));
+    let piped = run(&folder.0, &["render", "bol.sign", "-o", "-", "--format", "eaf"], "");
+    assert_eq!((piped.code, piped.out), (0, tiers));
     let again = run(&folder.0, &["render", "bol.sign", "-o", "bol.glb"], "");
     assert_eq!(again.code, 2);
     assert!(again.err.contains("--force"), "{}", again.err);
@@ -202,7 +206,9 @@ fn render_says_what_it_cannot_do() {
     for (args, code, words) in [
         (&["render", "two.sign", "-o", "x.html"][..], 2, "--sign"),
         (&["render", "two.sign", "--sign", "CHIEN", "-o", "x.html"], 1, "CHIEN"),
-        (&["render", "two.sign", "-o", "x.bvh"], 2, ".glb"),
+        (&["render", "two.sign", "-o", "x.fbx"], 2, ".glb"),
+        (&["render", "two.sign", "--sign", "CHAT", "-o", "x.html", "-o", "x.html"], 2, "twice"),
+        (&["render", "two.sign", "--sign", "CHAT", "-o", "-", "--format", "html,eaf"], 2, "one format"),
         (&["render", "two.sign", "-o", "x"], 2, ".html"),
         (&["render", "two.sign", "--sign", "CHAT", "-o", "x.html", "--fps", "0"], 2, "--fps"),
         (&["render", "two.sign", "--sign", "CHAT", "-o", "x.html", "--speed", "nan"], 1, "speed"),

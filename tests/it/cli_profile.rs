@@ -91,6 +91,7 @@ fn profile_compares_with_a_golden_one() {
 fn profile_says_what_it_cannot_do() {
     let folder = Folder::new("profile-faults");
     folder.write("up.sign", SIGN);
+    folder.write("bad.bvh", "HIERARCHY\nROOT");
     folder.write("bad.csv", "time [s],A floor x [m]\n0,one\n");
     for (args, code, words) in [
         (with(&["--joint", "RightHnd"]), 2, "did you mean `RightHand`?"),
@@ -102,6 +103,7 @@ fn profile_says_what_it_cannot_do() {
         (with(&["--against", "bad.csv", "--tolerance=-1"]), 2, "no tolerance"),
         (vec!["profile", "bad.csv"], 1, "bad.csv: line 2, column 2: `one` is no finite number"),
         (vec!["profile", "up.sign", "--fps", "0"], 2, "--fps"),
+        (vec!["profile", "bad.bvh"], 1, "bad.bvh:2:1"),
         (vec!["profile", "none.csv"], 2, "no file"),
         (vec!["profile", "NO-SUCH-SIGN"], 1, "NO-SUCH-SIGN"),
     ] {
@@ -109,4 +111,16 @@ fn profile_says_what_it_cannot_do() {
         assert_eq!(done.code, code, "{args:?}: {}", done.err);
         assert!(done.err.contains(words), "{args:?}: {}", done.err);
     }
+}
+
+#[test]
+fn profile_measures_recordings() {
+    let folder = Folder::new("profile-bvh");
+    let text = "HIERARCHY\nROOT Hips {\n OFFSET 0 0 0\n CHANNELS 1 Yposition\n End Site {\n OFFSET 0 50 0 } }\n\
+                MOTION\nFrames: 3\nFrame Time: 0.1\n90\n95\n100\n";
+    folder.write("walk.bvh", text);
+    let done = run(&folder.0, &["profile", "walk.bvh", "--joint", "Hips,HipsTip", "-o", "-", "--decimals", "3"], "");
+    assert_eq!(done.code, 0, "{}", done.err);
+    assert!(done.out.starts_with("time [s],Hips floor height [m],Hips floor speed [m/s],HipsTip floor height [m]"));
+    assert!(done.out.contains("\n0.100,0.950,0.500,1.450,0.500\n"), "{}", done.out);
 }

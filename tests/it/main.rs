@@ -8,6 +8,8 @@ mod phonology_handshape;
 
 mod cli;
 mod cli_profile;
+mod format_bvh;
+mod format_eaf;
 mod format_glb_write;
 mod format_html;
 mod format_svg;

@@ -5,8 +5,8 @@ use super::super::{Failure, Sources, files, terminal, world};
 use super::{ProfileArgs, Wanted, letters, points};
 use crate::avatar;
 use crate::diagnostics::Error;
-use crate::format::csv;
 use crate::format::profile_plot::Motion;
+use crate::format::{bvh, csv};
 use crate::motion::clip::Clip;
 use crate::motion::curve::{Curve, Measure, Profile, Reference, of_clip};
 use crate::motion::point::Point;
@@ -30,7 +30,7 @@ pub(super) fn motions(args: &ProfileArgs, sources: &Sources, wanted: &Wanted) ->
         if tables(what) {
             motions.push(table(Path::new(what), wanted)?);
         } else if has_extension(what, "bvh") {
-            return Err(Failure::Usage(format!("{what}: recordings cannot be measured yet; signs and profiles can")));
+            motions.push(recording(Path::new(what), wanted)?);
         } else {
             signs.extend(finder.find(what)?);
         }
@@ -92,14 +92,32 @@ fn table(path: &Path, wanted: &Wanted) -> Result<Motion, Failure> {
     }
     let phases = profile.phases().to_vec();
     let profile = Profile::new(profile.times().to_vec(), curves).map_err(failed)?.with_phases(phases);
-    let name = path.file_stem().map(|s| s.to_string_lossy().into_owned()).unwrap_or_default();
-    Ok(Motion { name, profile, marks: Vec::new() })
+    Ok(Motion { name: stem(path), profile, marks: Vec::new() })
 }
 
 /// Reads a profile.
 pub(super) fn read_table(path: &Path) -> Result<Profile, Failure> {
     let bytes = files::read_bytes(path)?;
     csv::read(&bytes).map_err(|e| Failure::Faults(Some(format!("{}: {e}", path.display()))))
+}
+
+/// A recording; its unit is what its skeleton says, else centimetres.
+fn recording(path: &Path, wanted: &Wanted) -> Result<Motion, Failure> {
+    let bytes = files::read_bytes(path)?;
+    let source = bvh::source_of_bytes(&path.to_string_lossy(), &bytes);
+    let reading = bvh::read(&bytes).map_err(|faults| {
+        terminal::tell(&faults, &source);
+        Failure::Faults(Some(format!("{} cannot be read", path.display())))
+    })?;
+    let usual = bvh::ClipOptions::default();
+    let metres_per_unit = bvh::propose_unit(&reading.bvh).map_or(usual.metres_per_unit, |unit| unit.metres_per_unit);
+    let converted = bvh::to_clip(&reading.bvh, &bvh::ClipOptions { metres_per_unit, ..usual });
+    let clip = converted.map_err(|e| Failure::Faults(Some(format!("{}: {e}", path.display()))))?.clip;
+    Ok(Motion { name: stem(path), profile: measured(&clip, wanted)?, marks: Vec::new() })
+}
+
+fn stem(path: &Path) -> String {
+    path.file_stem().map(|s| s.to_string_lossy().into_owned()).unwrap_or_default()
 }
 
 /// A sign as it was signed.

@@ -22,7 +22,7 @@ use std::str::FromStr;
     after_help = "Examples:\n  chereme profile BOL                                            peaks, as a table\n  chereme profile BOL --joint RightHand,LeftHand -o bol.svg -o bol.csv\n  chereme profile DODO --easing linear,cosine,sigmoid --joint 'RightHand*Tip' --frame wrist -o figure10.svg\n  chereme profile a.csv b.csv -o compare.svg                     two profiles, one figure\n  chereme profile BOL --measure speed --against golden.csv --tolerance 0.02 -o difference.svg\n  chereme profile BOL --measure height,speed --against golden.csv --update\n\nJoints are named as in the rig; RightHandIndexTip is the tip of a finger, RightHand*Tip are all five, \"left ear\" is a place of the body.\nExit codes: 0 fine, 1 the profile differs from the golden one, 2 wrong usage."
 )]
 pub(super) struct ProfileArgs {
-    /// Motions: names of signs, files of signs (.sign), or profiles (.csv)
+    /// Motions: names of signs, files of signs (.sign), recordings (.bvh), or profiles (.csv)
     #[arg(value_name = "FILE|NAME", required = true)]
     what: Vec<String>,
     /// The joints, fingertips or places of the body that are followed; * stands for any letters [default: RightHand, or all of a .csv]
