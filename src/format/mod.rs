@@ -4,6 +4,9 @@
 //! return bytes or text. Nothing here opens a file or knows what a sign is.
 
 pub mod bvh;
+pub mod csv;
 pub mod eaf;
 pub mod glb;
 pub mod html;
+pub mod profile_plot;
+pub mod svg;

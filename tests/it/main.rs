@@ -2,20 +2,25 @@
 mod body_hand;
 mod body_landmarks;
 mod body_skin;
+mod format_csv;
 mod format_glb;
 mod phonology_handshape;
 
 mod cli;
+mod cli_profile;
 mod format_bvh;
 mod format_eaf;
 mod format_glb_write;
 mod format_html;
+mod format_svg;
 mod golden;
 mod layers;
 mod lexicon_alphabets;
 mod motion_arm;
 mod motion_easing;
 mod motion_fabrik;
+mod motion_golden;
+mod motion_interpolation;
 mod motion_profile;
 mod motion_rotation;
 mod moving;
