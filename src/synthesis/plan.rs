@@ -123,8 +123,12 @@ impl Planner<'_> {
                 .map_err(|e| e.context(format_args!("key {} of the {}", key + 1, name_of(hand))))?;
             keys.push(posture);
         }
-        let start = keys[0].anchor.clone().map_or_else(|| self.default_place(sign, side), Ok)?;
-        let legs = self.legs(sign, hand, &said, &keys, &start, &mut on_other_hand)?;
+        let intervals = self.laid_out(sign, &said);
+        let start = match going_back(&intervals, &keys, 0) {
+            Some(start) => start,
+            None => self.default_place(sign, side)?,
+        };
+        let legs = self.legs(sign, hand, &intervals, &keys, &start, &mut on_other_hand)?;
         // A hand that touches the body comes from outside; elsewhere it may follow the forearm.
         let touching = said.placement.iter().any(|(_, p)| self.outward(p, side).is_some());
         let free_hand = said.orientation.is_empty() && !touching;
@@ -244,28 +248,31 @@ impl Planner<'_> {
         self.signer.landmarks.hand_point(side, point)
     }
 
-    fn legs(
-        &self,
-        sign: &Sign,
-        hand: Hand,
-        said: &Resolved,
-        keys: &[KeyPosture],
-        start: &Anchor,
-        on_other_hand: &mut bool,
-    ) -> Result<Vec<PlacedLeg>, Error> {
-        let side = side_of(hand);
+    /// The legs of each interval.
+    fn laid_out(&self, sign: &Sign, said: &Resolved) -> Vec<Vec<Leg>> {
         let table = &self.grammar.movements;
         let reflected = |mut leg: Leg| {
             leg.path = leg.path.reflected(said.signs);
             leg.end = leg.end.reflected(said.signs);
             leg
         };
-        let intervals: Vec<Vec<Leg>> = (0..sign.intervals)
-            .map(|interval| match said.movement.get(interval) {
-                Some(movement) => lay_out(movement, table, said.turns).into_iter().map(reflected).collect(),
-                None => vec![change(table.timing.change)],
-            })
-            .collect();
+        let of = |interval| match said.movement.get(interval) {
+            Some(movement) => lay_out(movement, table, said.turns).into_iter().map(reflected).collect(),
+            None => vec![change(table.timing.change)],
+        };
+        (0..sign.intervals).map(of).collect()
+    }
+
+    fn legs(
+        &self,
+        sign: &Sign,
+        hand: Hand,
+        intervals: &[Vec<Leg>],
+        keys: &[KeyPosture],
+        start: &Anchor,
+        on_other_hand: &mut bool,
+    ) -> Result<Vec<PlacedLeg>, Error> {
+        let side = side_of(hand);
         let mut placed: Vec<PlacedLeg> = Vec::new();
         // Where the hand is at each key that it has come to.
         let mut been = vec![start.clone()];
@@ -285,7 +292,7 @@ impl Planner<'_> {
                     (LegEnd::StartOf(n), _) => placed[first + n].from.clone(),
                     (LegEnd::AtKey(key), _) => been.get(*key).cloned().unwrap_or_else(displaced),
                     (LegEnd::Displaced, Some(anchor)) => anchor.clone(),
-                    (LegEnd::NextKey, _) => going_back(&intervals, keys, interval + 1).unwrap_or_else(displaced),
+                    (LegEnd::NextKey, _) => going_back(intervals, keys, interval + 1).unwrap_or_else(displaced),
                     (LegEnd::Displaced | LegEnd::Off(..), _) => displaced(),
                 };
                 let to = to.moved(by);
