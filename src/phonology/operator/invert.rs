@@ -74,7 +74,15 @@ fn targets_at_keys(own: &mut Manual) {
     let mut places: Vec<(usize, Placement)> = own.placement.iter().map(|(k, p)| (k, p.clone())).collect();
     for (interval, movement) in own.movement.iter_mut().enumerate() {
         let key = interval + 1;
-        let Some(target) = last_target(movement) else { continue };
+        // A way back leads to where an earlier key says.
+        let returned = match movement {
+            Movement::Action(action) => match action.motion {
+                Motion::Return { key } => places.iter().find(|(k, _)| *k == key).map(|(_, p)| p.clone()),
+                _ => None,
+            },
+            _ => None,
+        };
+        let Some(target) = last_target(movement).or(returned) else { continue };
         let stated = places.iter().find(|(k, _)| *k == key).map(|(_, p)| p.clone());
         let plain = matches!(movement, Movement::Action(action) if action.repetition.is_none());
         match stated {
