@@ -4,5 +4,6 @@
 //! return bytes or text. Nothing here opens a file or knows what a sign is.
 
 pub mod eaf;
+pub mod bvh;
 pub mod glb;
 pub mod html;

@@ -8,6 +8,7 @@
 //! to the floor between the feet. The two are different types ([`pose::LocalPose`], [`pose::ModelPose`]).
 
 pub mod arm;
+pub mod carry;
 pub mod clip;
 pub mod easing;
 pub mod fabrik;

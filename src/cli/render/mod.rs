@@ -98,6 +98,6 @@ impl Render {
         let fps = Fps::new(self.fps).ok_or_else(|| {
             Failure::Usage(format!("--fps {}: frames a second lie above 0 and up to {}", self.fps, Fps::MAX))
         })?;
-        Ok(Options { fps, easing: self.easing, speed: self.speed, paper: self.paper })
+        Ok(Options { fps, easing: self.easing, speed: self.speed, paper: self.paper, ..Options::default() })
     }
 }
