@@ -10,7 +10,9 @@ mod format;
 mod gloss;
 mod list;
 mod new;
+mod profile;
 mod render;
+mod signs;
 mod terminal;
 mod world;
 
@@ -49,6 +51,8 @@ pub(crate) struct Sources {
 enum Command {
     /// Turn signs into motion: a page to look at, or a file for other programs
     Render(render::Render),
+    /// Measure motions: speeds, heights, fingertips over time, as tables and figures, and against golden ones
+    Profile(Box<profile::ProfileArgs>),
     /// Find the faults of signs
     Check(check::Check),
     /// Lay signs out: two spaces before a tier, values in one column, comments kept
@@ -81,6 +85,7 @@ pub fn run() -> ExitCode {
     let cli = Cli::parse();
     let done = match cli.command {
         Command::Render(render) => render.run(&cli.sources),
+        Command::Profile(profile) => profile.run(&cli.sources),
         Command::Check(check) => check.run(&cli.sources),
         Command::Fmt(format) => format.run(),
         Command::List(list) => list.run(&cli.sources),

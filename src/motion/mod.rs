@@ -10,8 +10,11 @@
 pub mod arm;
 pub mod carry;
 pub mod clip;
+pub mod curve;
+pub mod difference;
 pub mod easing;
 pub mod fabrik;
+pub mod point;
 pub mod pose;
 pub mod profile;
 pub mod reach;

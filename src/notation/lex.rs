@@ -147,7 +147,7 @@ pub(crate) fn gloss_mark(rest: &str) -> Option<(char, usize)> {
         '/' => next == '/',
         _ => false,
     };
-    is_mark.then(|| (first, if first == '/' { 2 } else { 1 }))
+    is_mark.then_some((first, if first == '/' { 2 } else { 1 }))
 }
 
 /// A text with its quotes; `\` takes the next character as it is.

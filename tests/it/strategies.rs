@@ -1,5 +1,6 @@
 //! Random signs over the whole phonology, for laws: everything that can be meant and written.
 
+use chereme::motion::curve::{Curve, Measure, Phase, Profile, Reference};
 use chereme::notation::Vocabulary;
 use chereme::phonology::*;
 use chereme::time::Seconds;
@@ -7,6 +8,7 @@ use proptest::collection::vec;
 use proptest::option::of;
 use proptest::prelude::*;
 use proptest::sample::select;
+use std::collections::BTreeSet;
 
 /// Which names a sign uses.
 #[derive(Debug, Clone)]
@@ -383,5 +385,27 @@ pub fn sign(words: Words) -> impl Strategy<Value = Sign> {
                 relocated,
             },
         )
+    })
+}
+
+/// A kinematic profile of random points, with phases that may touch, overlap or lie outside.
+pub fn profile() -> impl Strategy<Value = Profile> {
+    let curve = ("[A-Za-zÉ,\" ;]{1,8}", 0..Reference::ALL.len(), 0..Measure::ALL.len());
+    let phase = ("[a-zé,]{0,4}", 0..30u32, 0..30u32);
+    let parts = (1..20usize, prop::collection::vec(curve, 0..4), prop::collection::vec(phase, 0..4), 0..1000u64);
+    parts.prop_map(|(rows, curves, phases, seed)| {
+        let mut names = BTreeSet::new();
+        let value = |i: usize, k: usize| ((i * 37 + k * 11) as f64 * (seed as f64 + 0.7)).sin() * 3.0;
+        let curves = curves.into_iter().enumerate().filter_map(|(k, (point, reference, measure))| {
+            let (reference, measure) = (Reference::ALL[reference], Measure::ALL[measure]);
+            let values = (0..rows).map(|i| value(i, k)).collect();
+            names.insert((point.clone(), reference, measure)).then_some(Curve { point, reference, measure, values })
+        });
+        let times = (0..rows).map(|i| Seconds(i as f64 / 30.0)).collect();
+        let phases = phases.into_iter().map(|(name, start, length)| {
+            let start = f64::from(start) / 40.0;
+            Phase { name, start: Seconds(start), end: Seconds(start + f64::from(length) / 40.0) }
+        });
+        Profile::new(times, curves.collect()).unwrap().with_phases(phases.collect())
     })
 }

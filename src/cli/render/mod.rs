@@ -21,7 +21,7 @@ pub(super) struct Render {
     /// Files or folders of signs, names of signs, gloss lines, or - for standard input
     #[arg(value_name = "FILE|NAME|LINE", required = true)]
     what: Vec<String>,
-    /// Where to: a file (.html, .glb, .eaf), a folder (ending in /) for one file a sign, or - for standard output; repeatable
+    /// Where to: a file (.html, .glb, .eaf, .csv, .svg), a folder (ending in /) for one file a sign, or - for standard output; repeatable
     #[arg(short, long, value_name = "OUT", required = true)]
     output: Vec<String>,
     /// Formats written into folders and to standard output

@@ -5,7 +5,7 @@ use super::Render;
 use super::input::Asked;
 use crate::avatar;
 use crate::diagnostics::Error;
-use crate::format::{eaf, glb, html};
+use crate::format::{csv, eaf, glb, html, profile_plot, svg};
 use crate::notation::Vocabulary;
 use crate::notation::vocabulary::Names;
 use crate::track::{PHASES, Track};
@@ -22,6 +22,10 @@ pub(super) enum Format {
     Glb,
     /// The tiers as ELAN annotations
     Eaf,
+    /// Height and speed of the wrists, a row a frame
+    Csv,
+    /// Height and speed of the wrists, as a figure
+    Svg,
 }
 
 impl Format {
@@ -30,6 +34,8 @@ impl Format {
             Format::Html => "html",
             Format::Glb => "glb",
             Format::Eaf => "eaf",
+            Format::Csv => "csv",
+            Format::Svg => "svg",
         }
     }
 
@@ -54,6 +60,15 @@ impl Format {
             Format::Html => html::write(avatar::GLB, track, &asked.page).map(String::into_bytes),
             Format::Glb => glb::write(avatar::GLB, track),
             Format::Eaf => eaf::write(&track.tiers, &document(asked, vocabulary)).map(String::into_bytes),
+            Format::Csv => {
+                let motion = profile_plot::Motion::of_track(&asked.name, track)?;
+                Ok(csv::write(&motion.profile, csv::DECIMALS).into_bytes())
+            }
+            Format::Svg => {
+                let motion = profile_plot::Motion::of_track(&asked.name, track)?;
+                let figure = profile_plot::figure(&asked.name, &[motion], profile_plot::Layout::Overlaid);
+                Ok(svg::write(&figure).into_bytes())
+            }
         }
     }
 }

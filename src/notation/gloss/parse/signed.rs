@@ -278,7 +278,7 @@ fn changes<'a>(signed: &Signed, open: Tokens<'a>) -> Parsed<'a, Vec<Operator>> {
     Ok((close.skip(), operators))
 }
 
-fn performed<'a>(
+fn performed(
     signed: &Signed,
     counted: bool,
     number: u8,

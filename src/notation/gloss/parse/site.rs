@@ -102,7 +102,7 @@ fn point<'a>(input: Tokens<'a>) -> Parsed<'a, Site> {
             return three_numbers(input, rest);
         }
         *coordinate = rest.word().parse().unwrap_or(f64::NAN);
-        if !(coordinate.abs() <= FURTHEST_M) {
+        if coordinate.is_nan() || coordinate.abs() > FURTHEST_M {
             return told(
                 Diagnostic::fault(rest.span(), "this point is out of reach")
                     .label("coordinates are metres, from -10 to 10"),
