@@ -68,7 +68,7 @@ fn told(diagnostics: &[Diagnostic], source: &Source) -> String {
 #[test]
 fn every_description_is_read_and_signed() {
     let all: Vec<Block> = blocks(&document()).into_iter().filter(|b| b.mark == "sign").collect();
-    assert!(all.len() >= 25, "{} descriptions", all.len());
+    assert!(all.len() >= 20, "{} descriptions", all.len());
     let name = |b: &Block| format!("lexicon/line {}.sign", b.line);
     let sources = all.iter().map(|b| Source::new(name(b), b.text.as_str())).collect();
     let (lexicon, checked) = lexicon(sources);

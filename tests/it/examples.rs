@@ -24,7 +24,7 @@ fn labels(lines: &str, before: usize) -> Vec<String> {
 #[test]
 fn a_text_becomes_a_track() {
     let tiers = text_to_track::tiers().unwrap();
-    assert!(tiers.lines().any(|l| l.starts_with("RH Movement") && l.contains("arc up-right 15cm")), "{tiers}");
+    assert!(tiers.lines().any(|l| l.starts_with("RH Movement") && l.ends_with("arc up-right")), "{tiers}");
     assert!(tiers.lines().any(|l| l.starts_with("LH Configuration") && l.ends_with("round-B")), "{tiers}");
 }
 
@@ -50,7 +50,7 @@ fn a_sign_is_recombined() {
 #[test]
 fn a_gloss_line_is_signed() {
     let lines = gloss_line::glosses().unwrap();
-    assert_eq!(labels(&lines, 2), ["BONJOUR", "BOL", "IX(BOL)", "TRAVAIL", "fs(LSF)"], "{lines}");
+    assert_eq!(labels(&lines, 2), ["BONJOUR", "BOL@left", "IX(BOL)", "CLAIR[inverted]", "fs(LSF)"], "{lines}");
 }
 
 #[test]
