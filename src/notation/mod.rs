@@ -28,6 +28,6 @@ pub use lexicon::{Entry, Lexicon};
 pub use lower::{Derived, Lowered, Lowering, lower};
 pub use parse::parse;
 pub use print::print;
-pub use raise::{raise, write};
+pub use raise::{raise, write, write_derived};
 pub use read::{Reading, operators, read, source_of_bytes};
 pub use vocabulary::{Names, Vocabulary};

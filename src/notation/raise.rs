@@ -25,6 +25,20 @@ pub fn write(sign: &Sign) -> String {
     super::print(&raise(sign))
 }
 
+/// A sign made from others as text.
+///
+/// ```
+/// use chereme::notation::write_derived;
+/// use chereme::phonology::operator::Operator;
+/// use chereme::phonology::recombination::{Base, Recombination};
+/// let from = Recombination { base: Base::Named("CLAIR".into()), operators: vec![Operator::Inverted] };
+/// assert_eq!(write_derived("FONCÉ", &from), "sign FONCÉ = CLAIR inverted\n");
+/// ```
+pub fn write_derived(name: &str, from: &Recombination) -> String {
+    let content = Content::Sign(plain(name.to_owned()), Some(expression(from)));
+    super::print(&File { lines: vec![line(content)] })
+}
+
 /// What one would write to say this sign: the shortest form, each tier on its line.
 pub fn raise(sign: &Sign) -> File {
     let mut lines = Vec::new();

@@ -145,7 +145,7 @@ fn primary<'a>(input: Tokens<'a>, depth: usize) -> Parsed<'a, Expression> {
     }
     if is_word(input, "pointing") {
         let (rest, ()) = must(keyword("at")(input.skip()))?;
-        let (cut, after) = up_to_operator(rest, &[]);
+        let (cut, after) = up_to_operator(rest, &[], Many::One);
         let (left, at) = must(place(cut, 0))?;
         return if left.is_empty() { Ok((after, of(Base::Pointing(at)))) } else { leftover(left, "placement") };
     }
@@ -174,9 +174,16 @@ fn begins_operator(input: Tokens) -> bool {
     is_one_of(input.word(), &ALONE) || is_one_of(input.word(), &WITH_MORE)
 }
 
+/// Whether values joined by `then` may stand there.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Many {
+    One,
+    Several,
+}
+
 /// What stands before the next operator, `&` or closing bracket, and what from there on. Operators of `kept` are words of
 /// the value.
-fn up_to_operator<'a>(input: Tokens<'a>, kept: &[&str]) -> (Tokens<'a>, Tokens<'a>) {
+fn up_to_operator<'a>(input: Tokens<'a>, kept: &[&str], many: Many) -> (Tokens<'a>, Tokens<'a>) {
     let (mut depth, mut n) = (0usize, 0);
     let mut rest = input;
     // After these a value goes on, whatever the word.
@@ -187,6 +194,7 @@ fn up_to_operator<'a>(input: Tokens<'a>, kept: &[&str]) -> (Tokens<'a>, Tokens<'
             Kind::Close if depth == 0 => break,
             Kind::Close => depth -= 1,
             Kind::Word if depth == 0 && is_word(rest, "&") => break,
+            Kind::Word if depth == 0 && many == Many::One && is_word(rest, "then") => break,
             Kind::Word if depth == 0 && !open && begins_operator(rest) && !is_one_of(token.text, kept) => break,
             Kind::Word | Kind::Text | Kind::Comma | Kind::Equals | Kind::Mark(_) => {}
         }
@@ -215,7 +223,7 @@ fn operator<'a>(input: Tokens<'a>) -> Parsed<'a, Operator> {
         "size" => size(rest),
         "repeated" => repeated(input),
         "at" => {
-            let (cut, after) = up_to_operator(rest, &[]);
+            let (cut, after) = up_to_operator(rest, &[], Many::One);
             let (left, to) = relocation(cut)?;
             if left.is_empty() || left.is(Kind::Comma) && left.skip().is_empty() {
                 Ok((after, Operator::At(to)))
@@ -266,7 +274,7 @@ fn with<'a>(input: Tokens<'a>) -> Parsed<'a, Operator> {
         "orientation" => values(rest, orientation, |v| Operator::Orientation(hand, v)),
         "movement" => {
             let kept = ["repeated", "fast", "slow", "small"];
-            let (cut, after) = up_to_operator(rest, &kept);
+            let (cut, after) = up_to_operator(rest, &kept, Many::Several);
             let (left, all) = movements(cut)?;
             if left.is_empty() { Ok((after, Operator::Movement(hand, all))) } else { leftover(left, "movement") }
         }
@@ -286,7 +294,7 @@ fn values<'a, T>(
     value: impl Fn(Tokens<'a>) -> Parsed<'a, T>,
     make: impl Fn(Vec<T>) -> Operator,
 ) -> Parsed<'a, Operator> {
-    let (cut, after) = up_to_operator(input, &[]);
+    let (cut, after) = up_to_operator(input, &[], Many::Several);
     let mut all = Vec::new();
     let mut rest = cut;
     loop {

@@ -4,6 +4,7 @@
 use super::reflect::{hand_of, later};
 use super::{keys_of, manual_mut, neutral, plain, swapped};
 use crate::diagnostics::Error;
+use crate::phonology::symmetry::acts;
 use crate::phonology::{
     Configuration, Contact, Hand, Hands, Keys, Manual, Motion, Movement, NonManual, Placement, Sign,
 };
@@ -63,6 +64,9 @@ pub(super) fn joined(parts: &[Part], name: String, unsaid: Unsaid) -> Result<Sig
     for hand in Hand::BOTH {
         let own =
             |part: &Part| if alike { Some(super::manual(part.sign, hand).clone()) } else { hand_of(part.sign, hand) };
+        if !acts(&made, hand) {
+            continue;
+        }
         *manual_mut(&mut made, hand) = hand_joined(parts, own, hand == Hand::Strong || !follows(hands), unsaid);
     }
     let (mut offset, mut contact): (usize, Vec<(usize, Contact)>) = (0, Vec::new());
@@ -95,7 +99,7 @@ fn hand_joined(parts: &[Part], own: impl Fn(&Part) -> Option<Manual>, leads: boo
     let any = |said: fn(&Manual) -> bool| all.iter().flatten().any(said);
     let shapes = any(|m| !m.configuration.is_empty());
     let places = any(|m| !m.placement.is_empty());
-    let moves = any(|m| !m.movement.is_empty()) || (leads && all.iter().any(Option::is_some));
+    let moves = leads || any(|m| !m.movement.is_empty());
     let mut offset = 0;
     for (i, (part, own)) in parts.iter().zip(&all).enumerate() {
         let n = part.sign.intervals;

@@ -6,7 +6,7 @@
 //!
 //! Backwards twice is the sign itself in its *normal form*: the place that a movement leads to stands at its key, the first
 //! value of a tier stands at the first key, what an orientation leaves open is filled from its neighbours, and a hand of which
-//! no place is said is at the neutral one. What was inverted once has that form.
+//! no place is said is at the neutral one. What was inverted once has that form, unless its text says `backwards` itself.
 
 use super::{manual, manual_mut, neutral};
 use crate::phonology::movement::{Action, Clock, Manner, Motion, Movement, RepetitionKind, WristMotion};
@@ -46,6 +46,8 @@ pub fn inverted_movement(sign: &Sign) -> Sign {
         let own = manual_mut(&mut back, hand);
         own.movement = movements(&normal);
         own.placement = reversed(&normal.placement, sign.intervals);
+        // What stood inside `backwards` may say a place now.
+        targets_at_keys(own);
     }
     back.contact = reversed(&sign.contact, sign.intervals);
     back
@@ -54,12 +56,21 @@ pub fn inverted_movement(sign: &Sign) -> Sign {
 /// A hand's tiers with the places that movements lead to said at the keys, and the neutral place where none is said.
 fn normal(sign: &Sign, hand: Hand) -> Manual {
     let mut own = manual(sign, hand).clone();
+    targets_at_keys(&mut own);
     let acts = match (sign.hands, hand) {
         (Hands::Strong | Hands::Both(_), Hand::Strong) | (Hands::Weak | Hands::Both(None), Hand::Weak) => true,
         (Hands::Strong, Hand::Weak) | (Hands::Weak, Hand::Strong) => false,
         // It follows the strong hand, unless it has a place or a movement of its own.
         (Hands::Both(Some(_)), Hand::Weak) => false,
     };
+    if acts && own.placement.is_empty() {
+        own.placement = Keys::one(neutral());
+    }
+    own
+}
+
+/// The places that movements lead to, said at the keys.
+fn targets_at_keys(own: &mut Manual) {
     let mut places: Vec<(usize, Placement)> = own.placement.iter().map(|(k, p)| (k, p.clone())).collect();
     for (interval, movement) in own.movement.iter_mut().enumerate() {
         let key = interval + 1;
@@ -78,12 +89,8 @@ fn normal(sign: &Sign, hand: Hand) -> Manual {
             action.target = None;
         }
     }
-    if acts && places.is_empty() {
-        places.push((0, neutral()));
-    }
     places.sort_by_key(|(key, _)| *key);
     own.placement = Keys::new(places).unwrap_or_default();
-    own
 }
 
 /// The place that a movement ends at.

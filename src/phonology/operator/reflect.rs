@@ -198,6 +198,9 @@ pub fn mirrored(sign: &Sign, tables: &Tables) -> Result<Applied, Error> {
             });
         }
     }
+    if own.movement.is_empty() {
+        own.movement = vec![plain(Motion::Change); sign.intervals];
+    }
     if own.placement.iter().any(|(_, p)| on_the_other_hand(&p.place)) {
         return Err(Error::new("it cannot be mirrored: each hand would be placed on the other"));
     }
