@@ -10,7 +10,8 @@ use chereme::score::plan::Plan;
 use chereme::synthesis::{Grammar, Options, measure, render};
 use chereme::time::Seconds;
 
-const TEXT: &str = "sign ONE\n  configuration 1\n  movement up 10cm\n\nsign TWO\n  configuration V\n  movement left 10cm\n";
+const TEXT: &str =
+    "sign ONE\n  configuration 1\n  movement up 10cm\n\nsign TWO\n  configuration V\n  movement left 10cm\n";
 
 /// The strokes' beginnings in seconds: as they come, then on the beats of a song of 60 beats a minute.
 pub fn strokes() -> Result<String, Error> {

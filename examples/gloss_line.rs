@@ -19,7 +19,8 @@ pub fn glosses() -> Result<String, Error> {
     let mut checked = lexicon.add(embedded(), &vocabulary);
     lexicon.link(&tables, &mut checked);
     let known = Known { lexicon: &lexicon, vocabulary: &vocabulary, tables };
-    let reading = read("BONJOUR, {brows raised: BOL@left} IX(BOL) CLAIR[inverted] fs(LSF)", &known, &Settings::default());
+    let reading =
+        read("BONJOUR, {brows raised: BOL@left} IX(BOL) CLAIR[inverted] fs(LSF)", &known, &Settings::default());
     let track = synthesize_plan(&reading.plan, &grammar, &avatar::signer()?, &Options::default())?.track;
     let tier = track.tier("RH Gloss").ok_or_else(|| Error::new("nothing is signed"))?;
     Ok(tier.values().iter().map(|v| format!("{:5.2} {:5.2}  {}\n", v.start.0, v.end.0, v.label)).collect())

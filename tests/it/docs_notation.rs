@@ -12,6 +12,9 @@ use chereme::phonology::operator::Tables;
 use chereme::score::gloss::{self, Known, Settings};
 use chereme::synthesis::{Options, synthesize_plan};
 
+/// How far the wrist's limits may turn a hand of an example from what it states.
+const MOST_TILT_DEGREES: f64 = 20.0;
+
 /// A fenced block: what stands after the fence, the line after it (from 1) and its text.
 struct Block {
     mark: String,
@@ -79,8 +82,10 @@ fn every_description_is_read_and_signed() {
         let signs: Vec<_> = lexicon.entries().filter(|e| e.path == name(block)).collect();
         assert!(!signs.is_empty(), "line {}: no sign", block.line);
         for entry in signs {
-            let warnings = perform(&entry.sign).report.warnings;
-            strained.extend(warnings.iter().map(|w| format!("{}: {}: {w:?}", block.line, entry.sign.name)));
+            let report = perform(&entry.sign).report;
+            if report.tilt.to_degrees() > MOST_TILT_DEGREES || report.residual_m > 0.005 {
+                strained.push(format!("line {}: {}: {:?}", block.line, entry.sign.name, report.warnings));
+            }
         }
     }
     assert!(strained.is_empty(), "the body cannot do it:\n{}", strained.join("\n"));
@@ -91,8 +96,11 @@ fn every_expression_of_the_tables_is_read() {
     let document = document();
     let all: Vec<&str> = document.split('`').filter(|code| code.starts_with("= ")).collect();
     assert!(all.len() >= 8, "{all:?}");
-    let text: String =
-        all.iter().enumerate().map(|(i, made)| format!("sign X{i} {made}\n")).fold("language lsf\n".into(), |a, b| a + &b);
+    let text: String = all
+        .iter()
+        .enumerate()
+        .map(|(i, made)| format!("sign X{i} {made}\n"))
+        .fold("language lsf\n".into(), |a, b| a + &b);
     let (lexicon, checked) = lexicon(vec![Source::new("tables.sign", text)]);
     assert_eq!(told(&checked[0].diagnostics, &checked[0].source), "");
     assert_eq!(lexicon.entries().filter(|e| e.path == "tables.sign").count(), all.len());
