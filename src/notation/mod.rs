@@ -23,7 +23,7 @@ pub mod suggest;
 pub mod syntax;
 pub mod vocabulary;
 
-pub use explain::{explain, explain_derived};
+pub use explain::{Tongue, explain, explain_derived, explain_in};
 pub use lexicon::{Entry, Lexicon};
 pub use lower::{Derived, Lowered, Lowering, lower};
 pub use parse::parse;

@@ -8,6 +8,8 @@ mod phonology_handshape;
 
 mod cli;
 mod cli_profile;
+mod docs_notation;
+mod examples;
 mod format_bvh;
 mod format_eaf;
 mod format_glb_write;
@@ -25,6 +27,7 @@ mod motion_profile;
 mod motion_rotation;
 mod moving;
 mod notation_errors;
+mod notation_explain;
 mod notation_format;
 mod notation_gloss;
 mod notation_laws;
