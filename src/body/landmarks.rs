@@ -109,6 +109,7 @@ pub struct Landmarks {
     arm_length: f64,
     hand_length: f64,
     shoulders: [JointId; 2],
+    wrists: [JointId; 2],
     neutral: Landmark,
 }
 
@@ -174,11 +175,12 @@ impl Landmarks {
             .ok_or_else(|| Error::new("there is no landmark \"middle tip\""))?;
         let hand_length = wrist.distance(tip.position(&rest));
         let shoulders = [skeleton.joint("LeftArm")?, skeleton.joint("RightArm")?];
+        let wrists = [skeleton.joint("LeftHand")?, skeleton.joint("RightHand")?];
         let middle = (skeleton[shoulders[0]].rest_model + skeleton[shoulders[1]].rest_model) / 2.0;
         let joint = skeleton.joint("Spine2")?;
         let offset = middle + NEUTRAL_PLACE_ARMS * arm_length - skeleton[joint].rest_model;
         let neutral = Landmark { joint, offset, normal: DVec3::Z };
-        Ok(Landmarks { body, hand, arm_length, hand_length, shoulders, neutral })
+        Ok(Landmarks { body, hand, arm_length, hand_length, shoulders, wrists, neutral })
     }
 
     /// The landmark of a place of the body, or of the neutral place, by its id in the inventory of locations.
@@ -206,11 +208,16 @@ impl Landmarks {
     /// The contact point of a hand or arm.
     ///
     /// A part with no face named is where it is touched: the side of a finger on the thumb's side (of the little finger on the outer side),
-    /// the upper arm on its outer face, the lower arm on its back. Several digits mean their middle.
+    /// the upper arm on its outer face, the lower arm on its back. Several digits mean their middle. The wrist is the joint
+    /// itself; it has no skin, and its normal is that of the hand's back.
     ///
     /// # Errors
     /// Names the landmark that the table lacks.
     pub fn hand_point(&self, side: Side, point: HandPoint) -> Result<ContactPoint, Error> {
+        if point.part() == HandPart::Wrist {
+            let joint = self.wrists[usize::from(side == Side::Right)];
+            return Ok(ContactPoint { parts: vec![Landmark { joint, offset: DVec3::ZERO, normal: DVec3::Y }] });
+        }
         let one = |digit: Option<Digit>| {
             let name = landmark_name(digit, point.part(), point.flank());
             let found = self.hand.get(&(side, name.clone())).copied();

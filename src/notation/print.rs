@@ -8,7 +8,10 @@ mod words;
 use super::lex::quote;
 use super::syntax::{Content, File, Line, TierLine, Value};
 use crate::phonology::Hand;
-use words::{bare, configuration, contact, duration, hands, movements, nonmanual, orientation, placement, values};
+use words::{
+    bare, base, configuration, contact, duration, hands, meanings, movements, nonmanual, orientation, placement,
+    relocation, values,
+};
 
 pub use words::movement_text;
 
@@ -125,10 +128,7 @@ pub(crate) fn sign_name(name: &str) -> String {
 /// The values of a tier as text.
 pub(crate) fn value(value: &Value) -> String {
     match value {
-        Value::Meaning(all) => {
-            let all: Vec<String> = all.iter().map(|(tag, words)| format!("{tag} {}", quote(words))).collect();
-            all.join(", ")
-        }
+        Value::Meaning(all) => meanings(all),
         Value::Source(text) | Value::Note(text) => quote(text),
         Value::Status(text) => bare(text, &[], &[]),
         Value::Hands(h) => hands(*h),
@@ -139,5 +139,8 @@ pub(crate) fn value(value: &Value) -> String {
         Value::Contact(v) => values(v, contact),
         Value::NonManual(_, v) => values(v, nonmanual),
         Value::Duration(d) => duration(*d),
+        Value::Speed(factor) => factor.to_string(),
+        Value::Base(all) => base(all),
+        Value::At(to) => relocation(to),
     }
 }

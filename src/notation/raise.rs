@@ -7,7 +7,7 @@ use super::syntax::{
 };
 use crate::diagnostics::{Span, Spanned};
 use crate::phonology::{
-    Action, Configuration, Contact, Distance, Extent, Hand, Hands, Keys, Manual, Motion, Movement, NonManual,
+    Action, Attested, Configuration, Contact, Distance, Extent, Hand, Hands, Keys, Manual, Motion, Movement, NonManual,
     NonManualValue, Orientation, Place, Placement, Sign,
 };
 
@@ -85,6 +85,19 @@ pub fn raise(sign: &Sign) -> File {
     }
     if let Some(long) = sign.duration {
         say(None, Value::Duration(duration(long.0)));
+    }
+    if sign.speed != 1.0 {
+        say(None, Value::Speed(sign.speed));
+    }
+    if !sign.base.is_empty() {
+        let attested = |a: &Attested| syntax::Attested {
+            configuration: configuration(&a.configuration),
+            meaning: a.meaning.clone(),
+        };
+        say(None, Value::Base(sign.base.iter().map(attested).collect()));
+    }
+    if let Some(to) = &sign.relocated {
+        say(None, Value::At(syntax::Relocation { place: place(&to.place), forced: to.forced }));
     }
     File { lines }
 }
@@ -174,6 +187,7 @@ fn place(v: &Place) -> syntax::Place {
         Place::Point(at) => syntax::Place::Point(at.to_array()),
         Place::Between(a, b) => syntax::Place::Between(Box::new(place(a)), Box::new(place(b))),
         Place::Referent(name) => syntax::Place::Referent(name.clone()),
+        Place::Towards(at) => syntax::Place::Towards(Box::new(place(at))),
     }
 }
 
@@ -218,6 +232,7 @@ pub(crate) fn movement(v: &Movement) -> syntax::Movement {
         Movement::Sequence(parts) => syntax::Movement::Group { fused: false, parts: all(parts) },
         Movement::Fused(parts) => syntax::Movement::Group { fused: true, parts: all(parts) },
         Movement::Together(parts) => syntax::Movement::Together(all(parts)),
+        Movement::Backwards(inner) => syntax::Movement::Backwards(Box::new(movement(inner))),
         Movement::Action(action) => syntax::Movement::Action(Box::new(syntax::Action {
             motion: motion(&action.motion),
             target: action.target.as_ref().map(placement),
@@ -234,6 +249,7 @@ fn motion(v: &Motion) -> syntax::Motion {
     match *v {
         Motion::Hold => syntax::Motion::Hold,
         Motion::Change => syntax::Motion::Change,
+        Motion::Return { key } => syntax::Motion::Return(plain(key + 1)),
         Motion::Straight { direction, extent: e, overlay } => {
             syntax::Motion::Straight { direction, extent: extent(e), overlay }
         }

@@ -6,8 +6,8 @@
 
 use crate::diagnostics::{Span, Spanned};
 use crate::phonology::{
-    Amount, Channel, Clock, Direction, Hand, HandPoint, Hands, HandshapeChange, Heading, Manner, Overlay, Repetition,
-    Side, Size, Space, WristMotion,
+    Amount, Channel, Clock, Direction, Forced, Hand, HandPoint, Hands, HandshapeChange, Heading, Manner, Overlay,
+    Repetition, Side, Size, Space, WristMotion,
 };
 
 /// A whole file, line by line.
@@ -92,6 +92,12 @@ pub enum Value {
     NonManual(Channel, Values<NonManual>),
     /// `duration 0.9s`
     Duration(Duration),
+    /// `speed 1.5`
+    Speed(f64),
+    /// `base Y en "snail" then U en "slug"`
+    Base(Vec<Attested>),
+    /// `at space left, forced`
+    At(Relocation),
 }
 
 impl Value {
@@ -110,6 +116,9 @@ impl Value {
             Value::Contact(_) => "contact",
             Value::NonManual(channel, _) => channel.name(),
             Value::Duration(_) => "duration",
+            Value::Speed(_) => "speed",
+            Value::Base(_) => "base",
+            Value::At(_) => "at",
         }
     }
 }
@@ -184,6 +193,26 @@ pub enum Place {
     Between(Box<Place>, Box<Place>),
     /// `referent "A"`
     Referent(String),
+    /// `pointing at PLACE`
+    Towards(Box<Place>),
+}
+
+/// A configuration attested on a base, as written: `Y en "snail", fr "escargot"`.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Attested {
+    /// The configuration.
+    pub configuration: Configuration,
+    /// What the sign means with it.
+    pub meaning: Vec<(String, String)>,
+}
+
+/// Where a sign is moved to, as written.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Relocation {
+    /// The place.
+    pub place: Place,
+    /// `forced`
+    pub forced: Forced,
 }
 
 /// A distance as written.
@@ -228,6 +257,8 @@ pub enum Movement {
     Together(Vec<Movement>),
     /// `( … ) repeated 2`
     Repeated(Box<Movement>, Repetition),
+    /// `backwards ( … )`
+    Backwards(Box<Movement>),
 }
 
 /// One movement with what is said of it.
@@ -256,6 +287,8 @@ pub enum Motion {
     Hold,
     /// `change`; not written where a target follows.
     Change,
+    /// `back`, `back to key 2`: the key, counted from 1, the start.
+    Return(Spanned<usize>),
     /// A direction alone.
     Straight {
         /// Where to.

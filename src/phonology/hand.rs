@@ -140,6 +140,8 @@ pub enum HandPart {
     PinkySide,
     /// The ball of the thumb.
     ThumbBall,
+    /// The wrist joint, inside: the point that captured signs are placed with. HamNoSys has no symbol for it.
+    Wrist,
     /// The wrist, on the back of the hand's side.
     WristBack,
     /// The wrist, where the pulse is felt.
@@ -158,7 +160,7 @@ impl HandPart {
     /// Parts that belong to a digit.
     pub const OF_A_DIGIT: [HandPart; 6] =
         [HandPart::Tip, HandPart::Nail, HandPart::Pad, HandPart::Midjoint, HandPart::Base, HandPart::Side];
-    /// Parts of the whole hand and of the arm.
+    /// Parts of the whole hand and of the arm that HamNoSys has symbols for.
     pub const OF_THE_LIMB: [HandPart; 11] = [
         HandPart::Palm,
         HandPart::Back,
@@ -172,6 +174,11 @@ impl HandPart {
         HandPart::ElbowInside,
         HandPart::UpperArm,
     ];
+
+    /// All of them.
+    pub fn all() -> impl Iterator<Item = HandPart> {
+        HandPart::OF_A_DIGIT.into_iter().chain(HandPart::OF_THE_LIMB).chain([HandPart::Wrist])
+    }
 
     /// Whether the part belongs to a digit.
     pub fn needs_digit(self) -> bool {
@@ -192,6 +199,7 @@ impl HandPart {
             HandPart::ThumbSide => "thumb-side",
             HandPart::PinkySide => "pinky-side",
             HandPart::ThumbBall => "thumb-ball",
+            HandPart::Wrist => "wrist",
             HandPart::WristBack => "wrist-back",
             HandPart::WristPulse => "wrist-pulse",
             HandPart::LowerArm => "lower-arm",
@@ -241,9 +249,11 @@ pub struct HandPoint {
 }
 
 impl HandPoint {
-    /// A point; `None` where a part of a digit has no digit, or a part of the limb has one.
+    /// A point; `None` where a part of a digit has no digit, or a part of the limb has one, and for a face of the
+    /// wrist joint.
     pub fn new(digits: Digits, part: HandPart, flank: Option<Flank>) -> Option<HandPoint> {
-        (part.needs_digit() != digits.is_empty()).then_some(HandPoint { digits, part, flank })
+        let sound = part.needs_digit() != digits.is_empty() && (part != HandPart::Wrist || flank.is_none());
+        sound.then_some(HandPoint { digits, part, flank })
     }
 
     /// A part of one digit.

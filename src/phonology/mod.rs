@@ -36,5 +36,5 @@ pub use movement::{
 };
 pub use nonmanual::{Amount, Channel, NonManual, NonManualValue};
 pub use orientation::Orientation;
-pub use placement::{Contact, ContactKind, Distance, Lateral, Place, Placement, Space};
-pub use sign::{Hands, Keys, Manual, Relation, Sign, Symmetry};
+pub use placement::{Contact, ContactKind, Distance, Forced, Lateral, Place, Placement, Relocation, Space};
+pub use sign::{Attested, Hands, Keys, Manual, Relation, Sign, Symmetry};

@@ -16,6 +16,8 @@ pub enum Movement {
     Together(Vec<Movement>),
     /// Blended into one (HamNoSys `hamfusionbegin`).
     Fused(Vec<Movement>),
+    /// Played backwards, from its end to its start. Keys that it names count from the sign's end.
+    Backwards(Box<Movement>),
 }
 
 /// One movement with everything that may be said of it.
@@ -59,6 +61,11 @@ pub enum Motion {
     Hold,
     /// Only what the other tiers change (HamNoSys `hamreplace`), and the way to a target.
     Change,
+    /// Back to where the hand was at an earlier key.
+    Return {
+        /// The key, from 0, the start; not after the key that the interval begins at.
+        key: usize,
+    },
     /// A straight path.
     Straight {
         /// Where to.

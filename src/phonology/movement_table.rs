@@ -119,9 +119,13 @@ pub struct Timing {
     pub halt: f64,
     pub final_hold: f64,
     pub posture: f64,
+    pub inner_hold: f64,
+    pub inner_posture: f64,
     pub least_sign: f64,
     pub greatest_sign: f64,
+    pub least_inner: f64,
     pub transition_least: f64,
+    pub between_least: f64,
     pub transition_speed: f64,
     pub handshape_lead: f64,
     pub still: f64,
@@ -147,12 +151,15 @@ impl Timing {
             t.tense,
             t.final_hold,
             t.posture,
+            t.inner_posture,
             t.least_sign,
             t.greatest_sign,
+            t.least_inner,
             t.transition_least,
+            t.between_least,
             t.transition_speed,
         ];
-        let not_negative = [t.length_exponent, t.rest, t.halt, t.still];
+        let not_negative = [t.length_exponent, t.rest, t.halt, t.inner_hold, t.still];
         positive.iter().all(|v| v.is_finite() && *v > 0.0)
             && not_negative.iter().all(|v| v.is_finite() && *v >= 0.0)
             && t.handshape_lead > 0.0

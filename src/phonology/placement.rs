@@ -43,6 +43,27 @@ pub enum Place {
     Between(Box<Place>, Box<Place>),
     /// A place given a name by coreference (HamNoSys `hamcoreftag`, `hamcorefref`).
     Referent(String),
+    /// Where a hand is held to point at a place: its pointing ray passes through it (Naert et al. 2021, §4.2).
+    Towards(Box<Place>),
+}
+
+/// A sign moved to a place as a whole: spatialization (Naert et al. 2021, §4.1).
+#[derive(Debug, Clone, PartialEq)]
+pub struct Relocation {
+    /// Where to.
+    pub place: Place,
+    /// Whether a sign that the body anchors is moved all the same.
+    pub forced: Forced,
+}
+
+/// Whether a relocation holds for signs whose place on the body is a part of them.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+pub enum Forced {
+    /// Such a sign is refused.
+    #[default]
+    No,
+    /// Such a sign is moved too.
+    Yes,
 }
 
 /// A cell of signing space: each axis −1, 0 or +1 (right/centre/left, low/middle/high, near/middle/far).

@@ -8,7 +8,7 @@ use super::configuration::Configuration;
 use super::movement::Movement;
 use super::nonmanual::{Channel, NonManual};
 use super::orientation::Orientation;
-use super::placement::{Contact, Placement};
+use super::placement::{Contact, Placement, Relocation};
 use crate::time::Seconds;
 
 /// A sign as it is described.
@@ -40,11 +40,29 @@ pub struct Sign {
     pub nonmanual: Vec<(Channel, Keys<NonManual>)>,
     /// How long all the intervals last together.
     pub duration: Option<Seconds>,
+    /// How fast: every time of the sign is divided by it; from 0.05 to 20.
+    pub speed: f64,
+    /// The configurations attested on this derivative base or shape specifier; empty where it is none.
+    pub base: Vec<Attested>,
+    /// Where the whole sign is moved to.
+    pub relocated: Option<Relocation>,
+}
+
+/// A configuration that is attested on a derivative base or shape specifier, and what the sign means then
+/// (Naert et al. 2021, §5.1).
+#[derive(Debug, Clone, PartialEq)]
+pub struct Attested {
+    /// The configuration.
+    pub configuration: Configuration,
+    /// Meanings: language tag and words.
+    pub meaning: Vec<(String, String)>,
 }
 
 impl Sign {
     /// The most movement intervals a sign has: far above any sign, and enough for a long fingerspelled word.
-    pub const MOST_INTERVALS: usize = 64;
+    pub const MOST_INTERVALS: usize = 256;
+    /// The slowest and the greatest speed of a sign.
+    pub const SPEEDS: std::ops::RangeInclusive<f64> = 0.05..=20.0;
 
     /// A sign of one hand of which nothing is said yet.
     pub fn named(name: impl Into<String>) -> Sign {
@@ -62,6 +80,9 @@ impl Sign {
             contact: Keys::default(),
             nonmanual: Vec::new(),
             duration: None,
+            speed: 1.0,
+            base: Vec::new(),
+            relocated: None,
         }
     }
 }

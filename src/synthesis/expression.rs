@@ -1,35 +1,64 @@
 //! Non-manual tiers written into frames: cues laid out between the keys, and what they do at an instant.
 
 use super::face::{self, Cue};
-use super::plan::HandPlan;
+use super::prepare::Prepared;
+use super::schedule::Schedule;
+use super::stage::Stage;
 use super::timeline::Timeline;
-use super::write::Writer;
 use crate::diagnostics::Error;
 use crate::motion::pose::LocalPose;
-use crate::phonology::{NonManualValue, Place, Side};
+use crate::phonology::{Keys, NonManualValue, Place, Side, Sign};
+use crate::score::plan::Plan;
+use glam::DVec3;
 
-impl Writer<'_> {
-    pub(super) fn cues(&self, timeline: &Timeline, plans: &[HandPlan]) -> Result<Vec<Cue>, Error> {
-        let model = self.planner.neutral;
-        let eyes = self.signer.gaze_origin(model);
-        let locate = |value: &NonManualValue| match value {
-            NonManualValue::Towards(heading) => Ok(Some(heading.vector())),
-            NonManualValue::At(placement) => {
-                let place = match &placement.place {
-                    // Seen from the strong hand, the other hand is the weak one.
-                    Place::OtherHand(_) => plans.iter().find(|p| p.side == Side::Left).map(|p| p.start.position(model)),
-                    _ => Some(self.planner.place(placement, self.sign)?.position(model)),
-                };
-                Ok(place.map(|p| p - eyes))
-            }
-            NonManualValue::Named(_) | NonManualValue::Mouthing(_) => Ok(None),
-        };
+impl Stage<'_> {
+    /// The cues of a plan: those of its signs between their keys, and those that go over several items.
+    pub(super) fn cues(
+        &self,
+        plan: &Plan,
+        prepared: &[Prepared],
+        timelines: &[Timeline],
+        schedule: &Schedule,
+    ) -> Result<Vec<Cue>, Error> {
+        let expressions = &self.grammar.expressions;
         let mut cues = Vec::new();
-        for (channel, values) in &self.sign.nonmanual {
-            let expressions = &self.grammar.expressions;
-            cues.extend(face::lay_out(*channel, values, &timeline.keys, timeline.hold_end, expressions, &locate)?);
+        for (sign, timeline) in prepared.iter().zip(timelines) {
+            let locate = |value: &NonManualValue| self.locate(value, Some(sign));
+            for (channel, values) in &sign.sign.nonmanual {
+                let laid_out = face::lay_out(*channel, values, &timeline.keys, timeline.hold_end, expressions, &locate);
+                cues.extend(laid_out.map_err(|e| e.context(&plan.items[sign.item].gloss))?);
+            }
+        }
+        for over in &plan.spans {
+            let times = schedule.items.get(over.items.clone()).unwrap_or_default();
+            if let [first, .., last] | [first @ last] = times {
+                let locate = |value: &NonManualValue| self.locate(value, None);
+                let value = Keys::one(over.value.clone());
+                let keys = [first.stroke.0];
+                cues.extend(face::lay_out(over.channel, &value, &keys, last.hold_end.0, expressions, &locate)?);
+            }
         }
         Ok(cues)
+    }
+
+    /// The direction from the eyes that a value turns to.
+    fn locate(&self, value: &NonManualValue, sign: Option<&Prepared>) -> Result<Option<DVec3>, Error> {
+        let model = &self.neutral_model;
+        let eyes = self.signer.gaze_origin(model);
+        let place = match value {
+            NonManualValue::Towards(heading) => return Ok(Some(heading.vector())),
+            NonManualValue::At(placement) => match (&placement.place, sign) {
+                // Seen from the strong hand, the other hand is the weak one.
+                (Place::OtherHand(_), sign) => {
+                    let other = sign.and_then(|s| s.hands.iter().find(|h| h.side == Side::Left));
+                    other.map(|h| h.start.position(model))
+                }
+                (_, Some(sign)) => Some(self.planner().place(placement, sign.sign)?.position(model)),
+                (_, None) => Some(self.planner().place(placement, &Sign::named(""))?.position(model)),
+            },
+            NonManualValue::Named(_) | NonManualValue::Mouthing(_) => None,
+        };
+        Ok(place.map(|p| p - eyes))
     }
 
     /// Writes the non-manuals of one instant; returns how far the shoulders are raised.

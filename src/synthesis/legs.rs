@@ -40,6 +40,23 @@ pub enum LegEnd {
     At(Placement),
     /// Where an earlier leg of the same interval started.
     StartOf(usize),
+    /// Where the hand was at an earlier key of the sign.
+    AtKey(usize),
+    /// Where the hand is at the key after the interval: as that key says, else going back along the movements from the
+    /// next key that says where it is, else where the path leads.
+    NextKey,
+    /// As another end, and from there by a vector of model space, metres.
+    Off(Box<LegEnd>, DVec3),
+}
+
+impl LegEnd {
+    /// The end with its vector multiplied by `signs` (reflection at planes through the origin).
+    pub fn reflected(self, signs: DVec3) -> LegEnd {
+        match self {
+            LegEnd::Off(end, by) => LegEnd::Off(end, by * signs),
+            LegEnd::Displaced | LegEnd::At(_) | LegEnd::StartOf(_) | LegEnd::AtKey(_) | LegEnd::NextKey => self,
+        }
+    }
 }
 
 /// A wrist movement to and fro during a leg.
@@ -49,7 +66,7 @@ pub struct WristPlay {
     pub motion: WristMotion,
     /// Radians to each side.
     pub amplitude: f64,
-    /// Whole cycles during the leg.
+    /// Whole cycles during the leg; below 0 they run backwards.
     pub cycles: f64,
     /// Share of a cycle that this hand is ahead.
     pub phase: f64,
@@ -62,7 +79,7 @@ pub struct Wiggle {
     pub digits: Digits,
     /// Radians at the knuckle, from one extreme to the other.
     pub amplitude: f64,
-    /// Whole cycles during the leg.
+    /// Whole cycles during the leg; below 0 they run backwards.
     pub cycles: f64,
 }
 
@@ -89,6 +106,7 @@ pub fn lay_out(movement: &Movement, table: &MovementTable, turns: Turns) -> Vec<
     let mut legs = match movement {
         Movement::Sequence(parts) if !parts.is_empty() => sequence(parts, table, turns),
         Movement::Action(action) => of_action(action, table, turns),
+        Movement::Backwards(inner) => backwards(lay_out(inner, table, turns)),
         // What goes on at the same time or is fused is one leg, repeated if its first member is.
         Movement::Together(parts) | Movement::Fused(parts) => {
             let simple = simple_leg(movement, table, turns);
@@ -122,9 +140,7 @@ fn sequence(parts: &[Movement], table: &MovementTable, turns: Turns) -> Vec<Leg>
     for part in parts {
         let shift = legs.len();
         legs.extend(lay_out(part, table, turns).into_iter().map(|mut leg| {
-            if let LegEnd::StartOf(i) = &mut leg.end {
-                *i += shift;
-            }
+            leg.end = shifted(leg.end, shift);
             leg
         }));
     }
@@ -137,6 +153,58 @@ fn sequence(parts: &[Movement], table: &MovementTable, turns: Turns) -> Vec<Leg>
         leg.posture = (from, done / whole);
     }
     legs
+}
+
+/// An end in a sequence in which `shift` legs stand before its own.
+fn shifted(end: LegEnd, shift: usize) -> LegEnd {
+    match end {
+        LegEnd::StartOf(leg) => LegEnd::StartOf(leg + shift),
+        LegEnd::Off(end, by) => LegEnd::Off(Box::new(shifted(*end, shift)), by),
+        LegEnd::Displaced | LegEnd::At(_) | LegEnd::AtKey(_) | LegEnd::NextKey => end,
+    }
+}
+
+/// The legs from the last to the first, each from its end to its start.
+fn backwards(legs: Vec<Leg>) -> Vec<Leg> {
+    let starts: Vec<LegEnd> = (0..legs.len()).map(|i| start_of(&legs, i)).collect();
+    let reversed = legs.into_iter().zip(starts).rev();
+    reversed.map(|(leg, start)| Leg { end: start, ..reversed_in_time(leg) }).collect()
+}
+
+/// Where a leg began, said as the end of the same leg played backwards.
+fn start_of(legs: &[Leg], leg: usize) -> LegEnd {
+    let Some(before) = leg.checked_sub(1).map(|i| &legs[i]) else { return LegEnd::NextKey };
+    match &before.end {
+        LegEnd::At(place) => LegEnd::At(place.clone()),
+        LegEnd::StartOf(earlier) => start_of(legs, *earlier),
+        // Its own path leads there, unless a place lies on the way.
+        LegEnd::Displaced if legs[leg].end == LegEnd::Displaced => LegEnd::Displaced,
+        LegEnd::Displaced => off(start_of(legs, leg - 1), before.path.end()),
+        // A leg that was itself backwards or went back to a key: as far as its path leads.
+        LegEnd::AtKey(_) | LegEnd::NextKey | LegEnd::Off(..) => LegEnd::Displaced,
+    }
+}
+
+fn off(end: LegEnd, by: DVec3) -> LegEnd {
+    match end {
+        LegEnd::Off(end, before) => LegEnd::Off(end, before + by),
+        end => LegEnd::Off(Box::new(end), by),
+    }
+}
+
+/// A leg from its end to its start; where it ends then is another matter.
+fn reversed_in_time(leg: Leg) -> Leg {
+    let path = match leg.path {
+        Path::Backwards(path) => *path,
+        path => Path::Backwards(Box::new(path)),
+    };
+    Leg {
+        path,
+        posture: (1.0 - leg.posture.1, 1.0 - leg.posture.0),
+        wrist: leg.wrist.into_iter().map(|w| WristPlay { cycles: -w.cycles, ..w }).collect(),
+        wiggle: leg.wiggle.into_iter().map(|w| Wiggle { cycles: -w.cycles, ..w }).collect(),
+        ..leg
+    }
 }
 
 fn repeating(movement: &Movement) -> Option<&Action> {
@@ -213,12 +281,21 @@ fn leg_of(action: &Action, table: &MovementTable, turns: Turns) -> Leg {
             amplitude: table.wiggle.amplitude.to_radians(),
             cycles: (duration * table.wiggle.frequency).round().max(1.0),
         }),
-        Motion::Hold | Motion::Change | Motion::Straight { .. } | Motion::Arc { .. } | Motion::Circle { .. } => {}
+        Motion::Hold
+        | Motion::Change
+        | Motion::Return { .. }
+        | Motion::Straight { .. }
+        | Motion::Arc { .. }
+        | Motion::Circle { .. } => {}
     }
+    let displaced = match action.motion {
+        Motion::Return { key } => LegEnd::AtKey(key),
+        _ => LegEnd::Displaced,
+    };
     Leg {
         duration,
         path: path_of(&action.motion, table, turns.behind(action)),
-        end: action.target.clone().map_or(LegEnd::Displaced, LegEnd::At),
+        end: action.target.clone().map_or(displaced, LegEnd::At),
         posture: (0.0, 1.0),
         wrist,
         wiggle,
@@ -234,7 +311,7 @@ fn simple_leg(movement: &Movement, table: &MovementTable, turns: Turns) -> Leg {
         let mut joined = change(whole);
         for leg in &legs {
             let longer = if leg.duration > 0.0 { whole / leg.duration } else { 1.0 };
-            let stretched = |cycles: f64| (cycles * longer).round().max(1.0);
+            let stretched = |cycles: f64| (cycles.abs() * longer).round().max(1.0).copysign(cycles);
             joined.wrist.extend(leg.wrist.iter().map(|w| WristPlay { cycles: stretched(w.cycles), ..*w }));
             joined.wiggle.extend(leg.wiggle.iter().map(|w| Wiggle { cycles: stretched(w.cycles), ..*w }));
             if leg.end != LegEnd::Displaced {
@@ -248,6 +325,11 @@ fn simple_leg(movement: &Movement, table: &MovementTable, turns: Turns) -> Leg {
     match movement {
         Movement::Action(action) => leg_of(action, table, turns),
         Movement::Sequence(parts) => join(parts, Path::Chain, |all| all.iter().sum()),
+        Movement::Backwards(inner) => {
+            let leg = simple_leg(inner, table, turns);
+            let end = if leg.end == LegEnd::Displaced { LegEnd::Displaced } else { LegEnd::NextKey };
+            Leg { end, ..reversed_in_time(leg) }
+        }
         Movement::Together(parts) => join(parts, |p| Path::Sum(p.into_iter().map(|(_, path)| path).collect()), longest),
         Movement::Fused(parts) => join(
             parts,
@@ -268,7 +350,7 @@ fn duration_of(action: &Action, table: &MovementTable) -> f64 {
     let waves = |overlay: &Option<Overlay>| if overlay.is_some() { t.waves } else { 1.0 };
     let plain = match &action.motion {
         Motion::Hold => t.hold,
-        Motion::Change => t.change,
+        Motion::Change | Motion::Return { .. } => t.change,
         Motion::Straight { extent, overlay, .. } => straight(*extent) * waves(overlay),
         Motion::Arc { extent, depth, overlay, .. } => straight(*extent) * t.arc.of(*depth) * waves(overlay),
         Motion::Circle { extent, turns, .. } => {
@@ -294,7 +376,7 @@ fn duration_of(action: &Action, table: &MovementTable) -> f64 {
 
 fn path_of(motion: &Motion, table: &MovementTable, behind: bool) -> Path {
     match motion {
-        Motion::Hold | Motion::Change | Motion::Wrist(..) | Motion::Wiggle(_) => Path::Still,
+        Motion::Hold | Motion::Change | Motion::Return { .. } | Motion::Wrist(..) | Motion::Wiggle(_) => Path::Still,
         Motion::Straight { direction, extent, overlay } => {
             let to = direction.vector() * table.straight.metres(*extent);
             with_waves(Path::Straight(to), to, overlay, table)

@@ -7,21 +7,30 @@
 //! # Conventions
 //! Model space, metres, seconds from the clip's start. The signer is right-handed: the strong hand is the right one.
 
+mod aim;
 pub mod anchor;
 mod expression;
 pub mod face;
-mod fingers;
+mod layout;
 pub mod legs;
 pub mod path;
 mod path_of_hand;
+mod perform;
+mod placed;
 pub mod plan;
+mod posture;
+mod prepare;
 pub mod reach;
+mod relocate;
+mod report;
+pub mod schedule;
 mod site;
+mod stage;
+mod stroke;
 pub mod symmetry;
 mod tiers;
 mod timeline;
 mod ways;
-mod write;
 
 use crate::body::arm::WristLimits;
 use crate::body::signer::Signer;
@@ -33,8 +42,11 @@ use crate::phonology::handshape::{HandAngles, HandshapeInventory};
 use crate::phonology::location::LocationInventory;
 use crate::phonology::movement_table::MovementTable;
 use crate::phonology::{Configuration, Hand, HandPoint, Side, Sign};
-use crate::time::{Fps, Seconds};
+use crate::score::plan::Plan;
+use crate::time::Fps;
 use crate::track::Track;
+pub use report::Report;
+use schedule::{Measured, Schedule};
 
 /// The inventories that synthesis looks names up in.
 #[derive(Debug, Clone)]
@@ -101,25 +113,6 @@ pub struct Performance {
     pub report: Report,
 }
 
-/// What was measured while a sign was made.
-#[derive(Debug, Clone, Default)]
-pub struct Report {
-    /// When the stroke begins, from the clip's start.
-    pub stroke_start: Seconds,
-    /// The instants of the sign's keys, from the clip's start.
-    pub keys: Vec<Seconds>,
-    /// When the sign (stroke and hold) ends.
-    pub sign_end: Seconds,
-    /// The greatest speed of a wrist, metres a second.
-    pub wrist_speed: f64,
-    /// The greatest distance of a contact point from its target during the stroke, metres.
-    pub residual_m: f64,
-    /// How far a hand was turned away from the stated orientation by the wrist's limits, at most, radians.
-    pub tilt: f64,
-    /// Sentences for the author.
-    pub warnings: Vec<String>,
-}
-
 /// The language whose letters and aliases are looked up first.
 fn language(sign: &Sign) -> Option<&str> {
     (!sign.language.is_empty()).then_some(sign.language.as_str())
@@ -139,10 +132,44 @@ pub fn side_of(hand: Hand) -> Side {
 /// Names that the inventories lack, hands that depend on each other, an impossible rate or speed; the message names
 /// the sign, the hand and the key.
 pub fn synthesize(sign: &Sign, grammar: &Grammar, signer: &Signer, options: &Options) -> Result<Performance, Error> {
-    if !(options.speed.is_finite() && options.speed >= 0.05 && options.speed <= 20.0) {
-        return Err(Error::new(format!("the speed {} does not lie between 0.05 and 20", options.speed)));
-    }
-    write::perform(sign, grammar, signer, options).map_err(|e| e.context(&sign.name))
+    synthesize_plan(&Plan::of(sign.clone()), grammar, signer, options)
+}
+
+/// Signs a plan from the neutral pose and back to it, without rest between its signs.
+///
+/// # Errors
+/// Those of [`synthesize`]; the message names the gloss.
+pub fn synthesize_plan(
+    plan: &Plan,
+    grammar: &Grammar,
+    signer: &Signer,
+    options: &Options,
+) -> Result<Performance, Error> {
+    perform::perform(plan, &perform::stage(grammar, signer, options)?)
+}
+
+/// How long the phases of a plan last: as they come when nothing presses, and at least.
+///
+/// The least times follow from the wrists' speed, and holds give way first: that of a sign that moves may vanish.
+///
+/// # Errors
+/// Those of [`synthesize_plan`].
+pub fn measure(plan: &Plan, grammar: &Grammar, signer: &Signer, options: &Options) -> Result<Measured, Error> {
+    perform::measure(plan, &perform::stage(grammar, signer, options)?)
+}
+
+/// Signs a plan at times that were allotted from outside, such as those of a song; they are kept unchanged.
+///
+/// # Errors
+/// Those of [`synthesize_plan`], and of [`Schedule::check`].
+pub fn render(
+    plan: &Plan,
+    schedule: &Schedule,
+    grammar: &Grammar,
+    signer: &Signer,
+    options: &Options,
+) -> Result<Performance, Error> {
+    perform::render(plan, schedule, &perform::stage(grammar, signer, options)?)
 }
 
 /// The wrist's limits in force.

@@ -1,25 +1,19 @@
 //! One hand's part of a sign, made concrete: postures at keys, legs in intervals, anchors at both ends of each.
 
 use super::anchor::Anchor;
-use super::legs::{Leg, LegEnd, change, lay_out};
-use super::reach::{from_outside, natural_rotation, strain};
-use super::symmetry::{Resolved, acts, points, resolve};
+use super::legs::Leg;
+use super::placed::going_back;
+use super::posture::Site;
+use super::symmetry::{acts, resolve};
 use super::{Grammar, side_of};
 use crate::body::landmarks::ContactPoint;
 use crate::body::signer::Signer;
 use crate::diagnostics::Error;
 use crate::motion::easing::slerp;
-use crate::motion::pose::{LocalPose, ModelPose};
-use crate::motion::rotation::{angle_between, to_vector};
+use crate::motion::pose::ModelPose;
 use crate::phonology::handshape::HandAngles;
-use crate::phonology::{Configuration, ContactKind, Hand, HandPart, HandPoint, Hands, Orientation, Side, Sign};
+use crate::phonology::{Hand, Side, Sign};
 use glam::{DQuat, DVec3};
-
-/// Points that are `close` to each other on two hands, arm lengths apart.
-const HANDS_CLOSE_ARMS: f64 = 0.06;
-
-/// From this angle on, both ways about are looked at: 140°.
-const WIDE_TURN: f64 = 140.0 * std::f64::consts::PI / 180.0;
 
 /// A hand's posture at one key.
 #[derive(Debug, Clone)]
@@ -37,16 +31,6 @@ pub struct KeyPosture {
     pub with: ContactPoint,
     /// Where it is placed, where the key says so.
     pub anchor: Option<Anchor>,
-}
-
-/// What a hand has to reach at a key: where its shoulder is, where its contact point should be (model space), and where
-/// that point is in the hand, from the wrist; metres.
-struct Reach {
-    shoulder: DVec3,
-    point: DVec3,
-    offset: DVec3,
-    /// Out of the skin that is touched.
-    outward: Option<DVec3>,
 }
 
 /// A leg with where it starts and ends.
@@ -77,6 +61,28 @@ pub struct HandPlan {
     pub on_other_hand: bool,
     /// Whether the description says nothing of its orientation.
     pub free_hand: bool,
+    /// The wrist's own way, where the hand is placed by its wrist as in the paper: in relocated signs.
+    pub wrist_path: Option<WristPath>,
+}
+
+/// The way of a wrist through a stroke, sampled evenly over the stroke's time; as many places as rotations, at least one.
+#[derive(Debug, Clone, PartialEq)]
+pub struct WristPath {
+    /// Where the wrist is, model space, metres.
+    pub places: Vec<DVec3>,
+    /// How the hand is turned, model space.
+    pub rotations: Vec<DQuat>,
+}
+
+impl WristPath {
+    /// Place and rotation at a share of the stroke's time.
+    pub fn at(&self, share: f64) -> (DVec3, DQuat) {
+        let last = self.places.len() - 1;
+        let at = share.clamp(0.0, 1.0) * last as f64;
+        let (i, w) = ((at.floor() as usize).min(last), at.fract());
+        let j = (i + 1).min(last);
+        (self.places[i].lerp(self.places[j], w), slerp(self.rotations[i], self.rotations[j], w))
+    }
 }
 
 /// What plans are made with.
@@ -114,170 +120,30 @@ impl Planner<'_> {
     fn plan_hand(&self, sign: &Sign, hand: Hand) -> Result<HandPlan, Error> {
         let said = resolve(sign, hand);
         let side = side_of(hand);
-        let mut keys: Vec<KeyPosture> = Vec::with_capacity(sign.intervals + 1);
         let mut on_other_hand = false;
+        let at_key = |key: usize| move |e: Error| e.context(format_args!("key {} of the {}", key + 1, name_of(hand)));
+        let mut sites = Vec::with_capacity(sign.intervals + 1);
         for key in 0..=sign.intervals {
-            let before = keys.last();
-            let posture = self
-                .posture(sign, hand, &said, key, before, &mut on_other_hand)
-                .map_err(|e| e.context(format_args!("key {} of the {}", key + 1, name_of(hand))))?;
+            sites.push(self.site(sign, hand, &said, key, &mut on_other_hand).map_err(at_key(key))?);
+        }
+        let intervals = self.intervals(sign, &said);
+        let derived = going_back(&intervals, &sites, 0);
+        if sites[0].with.is_none() && derived.is_some() {
+            // Going back from a place that is said later, the hand goes with the same point.
+            sites[0].with = sites.iter().find_map(|s| s.with.clone());
+        }
+        let start = derived.clone().map_or_else(|| self.default_place(sign, side), Ok)?;
+        let mut keys: Vec<KeyPosture> = Vec::with_capacity(sites.len());
+        for (key, site) in sites.iter().enumerate() {
+            let place = site.anchor.as_ref().or(derived.as_ref().filter(|_| key == 0));
+            let posture = self.posture(sign, hand, &said, key, keys.last(), site, place).map_err(at_key(key))?;
             keys.push(posture);
         }
-        let start = keys[0].anchor.clone().map_or_else(|| self.default_place(sign, side), Ok)?;
-        let legs = self.legs(sign, hand, &said, &keys, &start, &mut on_other_hand)?;
+        let legs = self.legs(sign, hand, &intervals, &sites, &start, &mut on_other_hand)?;
         // A hand that touches the body comes from outside; elsewhere it may follow the forearm.
         let touching = said.placement.iter().any(|(_, p)| self.outward(p, side).is_some());
-        let free_hand = said.orientation.is_empty() && !touching;
-        Ok(HandPlan { side, keys, legs, start, on_other_hand, free_hand })
-    }
-
-    fn posture(
-        &self,
-        sign: &Sign,
-        hand: Hand,
-        said: &Resolved,
-        key: usize,
-        before: Option<&KeyPosture>,
-        on_other_hand: &mut bool,
-    ) -> Result<KeyPosture, Error> {
-        let side = side_of(hand);
-        let unsaid = Configuration::named("rest");
-        let configuration = said.configuration.at(key).unwrap_or(&unsaid);
-        let angles = self.grammar.angles(configuration, sign)?;
-        let stated = said.placement.stated(key);
-        let contact = sign.contact.stated(key).copied();
-        let mut anchor = match stated {
-            Some(p) => Some(self.anchor(p, sign, side, contact.is_some(), on_other_hand)?),
-            None => None,
-        };
-        let touching = stated.is_some_and(|p| self.touches(p));
-        let mut with = match stated.and_then(|p| p.with) {
-            Some(point) => Some(self.signer.landmarks.hand_point(side, point)?),
-            None if stated.is_some() || before.is_none() => {
-                Some(self.own_point(configuration, sign, side, touching)?)
-            }
-            None => None,
-        };
-        if let Some(contact) = contact {
-            let (own, other) = points(&contact, hand);
-            with = Some(self.signer.landmarks.hand_point(side, own)?);
-            let apart = match contact.kind {
-                ContactKind::Touch | ContactKind::Crossed | ContactKind::Interlocked => 0.0,
-                ContactKind::Close => HANDS_CLOSE_ARMS * self.signer.landmarks.arm_length(),
-                ContactKind::Metres(metres) => metres,
-            };
-            if matches!(sign.hands, Hands::Both(Some(_))) {
-                // Both hands come to the middle.
-                let middle = match anchor {
-                    Some(a) => a,
-                    None => self.default_place(sign, side)?,
-                };
-                anchor = Some(middle.moved(DVec3::X * side.sign() * apart / 2.0));
-            } else if hand == Hand::Strong {
-                *on_other_hand = true;
-                let point = self.signer.landmarks.hand_point(side.other(), other)?;
-                anchor = Some(Anchor::over_contact(&point, apart));
-            }
-        }
-        let with = with.or_else(|| before.map(|b| b.with.clone()));
-        let with = with.map_or_else(|| self.own_point(configuration, sign, side, touching), Ok)?;
-        let orientation = said.orientation.at(key).copied().unwrap_or_default();
-        let place = anchor.as_ref().map(|a| a.position(self.neutral));
-        let shoulder = self.neutral.position(self.signer.arm(side).upper);
-        let mut shaped = LocalPose::rest(&self.signer.skeleton);
-        self.signer.hand(side).apply(&angles, &mut shaped);
-        let reach = Reach {
-            shoulder,
-            point: place.unwrap_or(shoulder + DVec3::new(0.0, -0.1, 0.35)),
-            offset: self.signer.in_hand(side, &with, &shaped),
-            outward: stated.and_then(|p| self.outward(p, side)),
-        };
-        let rotation = match before {
-            Some(b) if said.orientation.stated(key).is_none() => b.rotation,
-            _ => self.rotation(side, &orientation, &reach, before.map(|b| b.rotation)),
-        };
-        let via = before.and_then(|b| self.via(side, b.rotation, rotation, &reach));
-        Ok(KeyPosture { angles, rotation, via, along_path: orientation.along_path, with, anchor })
-    }
-
-    /// The hand's rotation at a key. What is not stated stays as it was, or is what strains the wrist least.
-    fn rotation(&self, side: Side, said: &Orientation, reach: &Reach, before: Option<DQuat>) -> DQuat {
-        let arm = self.signer.arm(side);
-        let (fingers, palm) = (said.fingers.map(|h| h.vector()), said.palm.map(|h| h.vector()));
-        if let (Some(f), Some(p)) = (fingers, palm)
-            && let Some(rotation) = arm.hand_rotation(f, p)
-        {
-            return rotation;
-        }
-        if let Some(before) = before {
-            let (f, p) = arm.fingers_and_palm(before);
-            let kept = arm.hand_rotation(fingers.unwrap_or(f), palm.unwrap_or(p));
-            if let Some(rotation) = kept {
-                return rotation;
-            }
-        }
-        match (fingers, palm, reach.outward) {
-            (None, None, Some(outward)) => from_outside(arm, reach.shoulder, reach.point, reach.offset, outward),
-            _ => natural_rotation(arm, reach.shoulder, reach.point, reach.offset, fingers, palm),
-        }
-    }
-
-    /// The middle of a wide turn: of the two ways about the same axis the one that strains the wrist less.
-    fn via(&self, side: Side, from: DQuat, to: DQuat, reach: &Reach) -> Option<DQuat> {
-        if angle_between(from, to) < WIDE_TURN {
-            return None;
-        }
-        let arm = self.signer.arm(side);
-        let short = slerp(from, to, 0.5);
-        // The same turn the other way round has its middle half a turn away.
-        let axis = to_vector(to * from.inverse()).try_normalize()?;
-        let long = DQuat::from_axis_angle(axis, std::f64::consts::PI) * short;
-        let strained = |q: DQuat| strain(arm, reach.shoulder, reach.point, reach.offset, q);
-        (strained(long) < strained(short)).then_some(long)
-    }
-
-    /// The point that a hand places when none is named: what its shape touches with, or its palm in space.
-    fn own_point(&self, shape: &Configuration, sign: &Sign, side: Side, touching: bool) -> Result<ContactPoint, Error> {
-        let palm = HandPoint::new(Default::default(), HandPart::Palm, None);
-        let point = if touching { Some(self.grammar.touches_with(shape, sign)?) } else { palm };
-        let point = point.ok_or_else(|| Error::new("a palm has no digits"))?;
-        self.signer.landmarks.hand_point(side, point)
-    }
-
-    fn legs(
-        &self,
-        sign: &Sign,
-        hand: Hand,
-        said: &Resolved,
-        keys: &[KeyPosture],
-        start: &Anchor,
-        on_other_hand: &mut bool,
-    ) -> Result<Vec<PlacedLeg>, Error> {
-        let side = side_of(hand);
-        let table = &self.grammar.movements;
-        let mut placed: Vec<PlacedLeg> = Vec::new();
-        let mut at = start.clone();
-        for interval in 0..sign.intervals {
-            let legs = match said.movement.get(interval) {
-                Some(movement) => lay_out(movement, table, said.turns),
-                None => vec![change(table.timing.change)],
-            };
-            let first = placed.len();
-            for mut leg in legs {
-                leg.path = leg.path.reflected(said.signs);
-                let from = at;
-                let reached = keys[interval + 1].anchor.as_ref().filter(|_| leg.posture.1 >= 1.0);
-                let to = match (&leg.end, reached) {
-                    (LegEnd::At(placement), _) => self.anchor(placement, sign, side, false, on_other_hand)?,
-                    (LegEnd::StartOf(n), _) => placed[first + n].from.clone(),
-                    (LegEnd::Displaced, Some(anchor)) => anchor.clone(),
-                    (LegEnd::Displaced, None) => from.clone().moved(leg.path.end()),
-                };
-                at = to.clone();
-                placed.push(PlacedLeg { leg, interval, from, to });
-            }
-        }
-        Ok(placed)
+        let free_hand = said.orientation.is_empty() && !touching && !sites.iter().any(Site::is_turned);
+        Ok(HandPlan { side, keys, legs, start, on_other_hand, free_hand, wrist_path: None })
     }
 }
 

@@ -105,6 +105,11 @@ impl Planner<'_> {
             Place::Referent(name) => {
                 return Err(Error::new(format!("nothing has been placed at the referent {name} before")));
             }
+            Place::Towards(_) => {
+                return Err(Error::new(
+                    "a hand points where its placement at a key says so, not where a movement leads",
+                ));
+            }
         };
         Ok(match placement.offset {
             Some((direction, metres)) => anchor.moved(direction.vector() * metres),

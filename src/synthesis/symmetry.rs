@@ -117,6 +117,7 @@ fn mirrored_place(place: &Place, left_right: bool) -> Place {
         Place::Between(a, b) => {
             Place::Between(Box::new(mirrored_place(a, left_right)), Box::new(mirrored_place(b, left_right)))
         }
+        Place::Towards(at) => Place::Towards(Box::new(mirrored_place(at, left_right))),
         other => other.clone(),
     }
 }

@@ -1,13 +1,15 @@
 //! The tiers of a synthesized sign: what each stretch of the motion is, and where it came from.
 
-use super::plan::HandPlan;
+use super::prepare::Prepared;
+use super::schedule::Schedule;
 use super::side_of;
 use super::symmetry::{acts, resolve};
 use super::timeline::Timeline;
 use crate::phonology::{
-    Action, Configuration, Contact, ContactKind, Distance, Hand, HandshapeChange, Keys, Motion, Movement, NonManual,
-    NonManualValue, Orientation, Place, Placement, Side, Sign,
+    Action, Channel, Configuration, Contact, ContactKind, Distance, Hand, HandshapeChange, Keys, Motion, Movement,
+    NonManual, NonManualValue, Orientation, Place, Placement, Side,
 };
+use crate::score::plan::{Act, Plan};
 use crate::tier::Tier;
 use crate::time::Seconds;
 
@@ -15,87 +17,128 @@ const STATED: &str = "description";
 const FOLLOWS: &str = "description, by symmetry";
 const PROCEDURE: &str = "procedure";
 
-/// The tiers of a sign, hand by hand, then contact and non-manuals.
-pub(super) fn of_sign(sign: &Sign, timeline: &Timeline, plans: &[HandPlan]) -> Vec<Tier> {
-    let mut tiers = Vec::new();
+/// The tiers of a plan: those of its signs one after the other, hand by hand, then contact and non-manuals.
+pub(super) fn of_plan(plan: &Plan, prepared: &[Prepared], timelines: &[Timeline], schedule: &Schedule) -> Vec<Tier> {
+    let mut tiers = Tiers::default();
+    for (n, (sign, timeline)) in prepared.iter().zip(timelines).enumerate() {
+        let item = &plan.items[sign.item];
+        of_sign(sign, &item.gloss, timeline, &mut tiers);
+        let before = n.checked_sub(1).map(|p| prepared[p].item);
+        let rested = before.is_none_or(|b| plan.items[b + 1..sign.item].iter().any(|i| matches!(i.act, Act::Rest(_))));
+        let way = if rested { "preparation" } else { "transition" };
+        phases(sign, timeline, way, plan, schedule, &mut tiers);
+    }
+    for over in &plan.spans {
+        if let [first, .., last] | [first @ last] = schedule.items.get(over.items.clone()).unwrap_or_default() {
+            let tier = tiers.of(&title(over.channel));
+            tier.push(first.stroke, last.hold_end, non_manual_label(&over.value), STATED);
+        }
+    }
+    tiers.in_order()
+}
+
+/// Tiers by name.
+#[derive(Default)]
+struct Tiers(Vec<Tier>);
+
+impl Tiers {
+    fn of(&mut self, name: &str) -> &mut Tier {
+        let at = self.0.iter().position(|t| t.name == name).unwrap_or_else(|| {
+            self.0.push(Tier::new(name));
+            self.0.len() - 1
+        });
+        &mut self.0[at]
+    }
+
+    /// Those with values: the right hand's, the left hand's, contact, then the non-manuals from head to mouth.
+    fn in_order(mut self) -> Vec<Tier> {
+        const KINDS: [&str; 6] = ["Gloss", "Phase", "Configuration", "Placement", "Orientation", "Movement"];
+        let hands = ["RH", "LH"].iter().flat_map(|hand| KINDS.map(|kind| format!("{hand} {kind}")));
+        let others = Channel::ALL.iter().map(|channel| title(*channel));
+        let order: Vec<String> = hands.chain(["Contact".to_owned()]).chain(others).collect();
+        self.0.retain(|t| !t.values().is_empty());
+        self.0.sort_by_key(|t| order.iter().position(|name| *name == t.name).unwrap_or(order.len()));
+        self.0
+    }
+}
+
+fn title(channel: Channel) -> String {
+    let name = channel.name();
+    format!("{}{}", name[..1].to_uppercase(), &name[1..])
+}
+
+fn prefix(side: Side) -> &'static str {
+    match side {
+        Side::Left => "LH",
+        Side::Right => "RH",
+    }
+}
+
+fn of_sign(prepared: &Prepared, label: &str, timeline: &Timeline, tiers: &mut Tiers) {
+    let sign = prepared.sign;
     for hand in Hand::BOTH {
         let side = side_of(hand);
-        if !acts(sign, hand) || !plans.iter().any(|p| p.side == side) {
+        if !acts(sign, hand) || !prepared.hands.iter().any(|p| p.side == side) {
             continue;
         }
-        let prefix = match side {
-            Side::Left => "LH",
-            Side::Right => "RH",
-        };
+        let prefix = prefix(side);
         let said = resolve(sign, hand);
         let own = match hand {
             Hand::Strong => &sign.strong,
             Hand::Weak => &sign.weak,
         };
         let source = |own: bool| if own { STATED } else { FOLLOWS };
-        let mut gloss = Tier::new(format!("{prefix} Gloss"));
-        gloss.push(Seconds(timeline.stroke), Seconds(timeline.hold_end), &sign.name, STATED);
-        tiers.push(gloss);
-        tiers.push(phases(&format!("{prefix} Phase"), timeline, sign.intervals));
-        let configuration = source(!own.configuration.is_empty());
-        tiers.push(keyed(
-            &format!("{prefix} Configuration"),
-            &said.configuration,
-            timeline,
-            configuration_label,
-            configuration,
-        ));
-        let placement = source(!own.placement.is_empty());
-        tiers.push(keyed(&format!("{prefix} Placement"), &said.placement, timeline, placement_label, placement));
-        let orientation = source(!own.orientation.is_empty());
-        tiers.push(keyed(
-            &format!("{prefix} Orientation"),
-            &said.orientation,
-            timeline,
-            orientation_label,
-            orientation,
-        ));
-        let mut movement = Tier::new(format!("{prefix} Movement"));
-        for (i, m) in said.movement.iter().enumerate() {
-            let span = (timeline.keys.get(i), timeline.keys.get(i + 1));
-            if let (Some(start), Some(end)) = span {
-                movement.push(Seconds(*start), Seconds(*end), movement_label(m), source(!own.movement.is_empty()));
-            }
+        let gloss = tiers.of(&format!("{prefix} Gloss"));
+        gloss.push(Seconds(timeline.stroke), Seconds(timeline.hold_end), label, STATED);
+        let tier = tiers.of(&format!("{prefix} Configuration"));
+        keyed(tier, &said.configuration, timeline, configuration_label, source(!own.configuration.is_empty()));
+        let tier = tiers.of(&format!("{prefix} Placement"));
+        keyed(tier, &said.placement, timeline, placement_label, source(!own.placement.is_empty()));
+        let tier = tiers.of(&format!("{prefix} Orientation"));
+        keyed(tier, &said.orientation, timeline, orientation_label, source(!own.orientation.is_empty()));
+        let movement = tiers.of(&format!("{prefix} Movement"));
+        for (m, span) in said.movement.iter().zip(timeline.keys.windows(2)) {
+            movement.push(Seconds(span[0]), Seconds(span[1]), movement_label(m), source(!own.movement.is_empty()));
         }
-        tiers.push(movement);
     }
-    if !sign.contact.is_empty() {
-        tiers.push(keyed("Contact", &sign.contact, timeline, contact_label, STATED));
-    }
+    keyed(tiers.of("Contact"), &sign.contact, timeline, contact_label, STATED);
     for (channel, values) in &sign.nonmanual {
-        let name = channel.name();
-        let title = format!("{}{}", name[..1].to_uppercase(), &name[1..]);
-        tiers.push(keyed(&title, values, timeline, non_manual_label, STATED));
+        keyed(tiers.of(&title(*channel)), values, timeline, non_manual_label, STATED);
     }
-    tiers.retain(|t| !t.values().is_empty());
-    tiers
 }
 
-fn phases(name: &str, timeline: &Timeline, intervals: usize) -> Tier {
-    let mut tier = Tier::new(name);
+/// The phases of a sign's hands. `way` is what the way there is called; the way back to rest follows the last sign, and
+/// one before a rest.
+fn phases(sign: &Prepared, timeline: &Timeline, way: &str, plan: &Plan, schedule: &Schedule, tiers: &mut Tiers) {
     let stroke_end = timeline.keys.last().copied().unwrap_or(timeline.stroke);
+    let later = &plan.items[sign.item + 1..];
+    let next = later.iter().position(|i| !matches!(i.act, Act::Hold(..)));
+    let (held, retracted) = match next.map(|n| (&later[n].act, sign.item + 1 + n)) {
+        None => {
+            let last = schedule.items.last().map_or(timeline.hold_end, |t| t.hold_end.0);
+            (last, Some(schedule.retracted.0))
+        }
+        Some((Act::Rest(_), rest)) => (schedule.items[rest - 1].hold_end.0, Some(schedule.items[rest].stroke.0)),
+        Some((Act::Sign(_) | Act::Hold(..), next)) => (schedule.items[next - 1].hold_end.0, None),
+    };
     let spans = [
-        (timeline.start, timeline.stroke, "preparation"),
+        (timeline.start, timeline.stroke, way),
         (timeline.stroke, stroke_end, "stroke"),
-        (stroke_end, timeline.hold_end, "hold"),
-        (timeline.hold_end, timeline.retracted, "retraction"),
+        (stroke_end, held, "hold"),
+        (held, retracted.unwrap_or(held), "retraction"),
     ];
-    for (start, end, label) in spans {
-        if end > start && (label != "stroke" || intervals > 0) {
-            tier.push(Seconds(start), Seconds(end), label, PROCEDURE);
+    for hand in &sign.hands {
+        let tier = tiers.of(&format!("{} Phase", prefix(hand.side)));
+        for (start, end, label) in spans {
+            if end > start && (label != "stroke" || sign.sign.intervals > 0) {
+                tier.push(Seconds(start), Seconds(end), label, PROCEDURE);
+            }
         }
     }
-    tier
 }
 
 /// Values at keys as spans: each holds from its key to the next stated one.
-fn keyed<T>(name: &str, keys: &Keys<T>, timeline: &Timeline, label: fn(&T) -> String, source: &str) -> Tier {
-    let mut tier = Tier::new(name);
+fn keyed<T>(tier: &mut Tier, keys: &Keys<T>, timeline: &Timeline, label: fn(&T) -> String, source: &str) {
     let stated: Vec<(usize, &T)> = keys.iter().collect();
     for (i, (key, value)) in stated.iter().enumerate() {
         let at = |k: usize| timeline.keys.get(k).copied().unwrap_or(timeline.hold_end);
@@ -103,7 +146,6 @@ fn keyed<T>(name: &str, keys: &Keys<T>, timeline: &Timeline, label: fn(&T) -> St
         let end = stated.get(i + 1).map_or(timeline.hold_end, |(next, _)| at(*next));
         tier.push(Seconds(start), Seconds(end), label(value), source);
     }
-    tier
 }
 
 fn configuration_label(c: &Configuration) -> String {
@@ -152,6 +194,7 @@ fn place_label(place: &Place) -> String {
         Place::Point(p) => format!("({:.2}, {:.2}, {:.2})", p.x, p.y, p.z),
         Place::Between(a, b) => format!("{}–{}", place_label(a), place_label(b)),
         Place::Referent(name) => format!("referent {name}"),
+        Place::Towards(at) => format!("pointing at {}", place_label(at)),
     }
 }
 
@@ -167,6 +210,7 @@ fn movement_label(m: &Movement) -> String {
         Movement::Sequence(parts) => join(parts, ", then "),
         Movement::Together(parts) => join(parts, " while "),
         Movement::Fused(parts) => join(parts, " into "),
+        Movement::Backwards(inner) => format!("backwards {}", movement_label(inner)),
     }
 }
 
@@ -174,6 +218,8 @@ fn action_label(action: &Action) -> String {
     let mut label = match &action.motion {
         Motion::Hold => "hold".into(),
         Motion::Change => "change".into(),
+        Motion::Return { key: 0 } => "back".into(),
+        Motion::Return { key } => format!("back to key {}", key + 1),
         Motion::Straight { direction, .. } => direction.to_string(),
         Motion::Arc { direction, .. } => format!("arc {direction}"),
         Motion::Circle { axis, .. } => format!("circle about {axis}"),

@@ -1,12 +1,12 @@
-//! The phases of a sign in time: stillness, preparation, stroke, hold, retraction, stillness.
+//! The instants of one sign in a clip: where its transition begins, its keys, and the end of its hold.
 
-use super::plan::HandPlan;
-use crate::phonology::movement_table::Timing;
+use super::prepare::Prepared;
+use super::schedule::Times;
 
 /// Instants in seconds from the clip's start.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Timeline {
-    /// Preparation begins.
+    /// The way to the stroke begins.
     pub start: f64,
     /// The stroke begins; the first key.
     pub stroke: f64,
@@ -14,35 +14,26 @@ pub struct Timeline {
     pub keys: Vec<f64>,
     /// The hold at the end of the stroke ends; the sign ends.
     pub hold_end: f64,
-    /// Retraction ends.
-    pub retracted: f64,
-    /// The clip ends.
-    pub end: f64,
 }
 
 impl Timeline {
-    /// Lays out the phases. `preparation` and `retraction` are seconds; `speed` divides every time.
-    pub fn new(
-        plans: &[HandPlan],
-        intervals: usize,
-        timing: &Timing,
-        preparation: f64,
-        retraction: f64,
-        speed: f64,
-    ) -> Timeline {
-        let start = timing.still / speed;
-        let stroke = start + preparation / speed;
+    /// The instants of a sign that was given its times; `start` is where the hold of the item before ends.
+    pub(super) fn new(prepared: &Prepared, start: f64, times: &Times) -> Timeline {
+        let (stroke, stroke_end) = (times.stroke.0, times.stroke_end.0);
+        let whole = prepared.natural();
         let mut keys = vec![stroke];
-        let mut at = stroke;
-        for i in 0..intervals {
-            let legs = plans.first().map(|p| &p.legs[..]).unwrap_or_default();
-            at += legs.iter().filter(|l| l.interval == i).map(|l| l.leg.duration).sum::<f64>() / speed;
-            keys.push(at);
+        let mut done = 0.0;
+        for interval in 0..prepared.sign.intervals {
+            done += prepared.interval(interval);
+            let share = if whole > 0.0 { done / whole } else { 1.0 };
+            keys.push(stroke + (stroke_end - stroke) * share);
         }
-        let hold = if intervals == 0 { timing.posture } else { timing.final_hold };
-        // A short sign is held longer at its end.
-        let hold_end = (at + hold / speed).max(stroke + timing.least_sign / speed);
-        let retracted = hold_end + retraction / speed;
-        Timeline { start, stroke, keys, hold_end, retracted, end: retracted + timing.still / speed }
+        Timeline { start, stroke, keys, hold_end: times.hold_end.0 }
+    }
+
+    /// The description's own time at an instant: 0 at the stroke's start, `natural` at its end.
+    pub fn own_time(&self, instant: f64, natural: f64) -> f64 {
+        let given = self.keys.last().copied().unwrap_or(self.stroke) - self.stroke;
+        if given > 1e-9 { ((instant - self.stroke) / given * natural).max(0.0) } else { natural }
     }
 }

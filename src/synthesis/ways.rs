@@ -1,73 +1,121 @@
-//! The ways from the neutral pose to the stroke and back, eased in joint space (Naert et al. 2021, §4.2).
+//! The ways between strokes, and from and to the neutral pose, eased in joint space (Naert et al. 2021, §4.2).
+//!
+//! A hand goes straight from one stroke to its next one, the handshape forming early; where it has time for it, or the
+//! line rests, it returns to the neutral pose meanwhile.
 
-use super::plan::HandPlan;
-use super::reach::ArmFrame;
-use super::timeline::Timeline;
-use super::write::Writer;
+use super::stage::{Posture, Stage};
+use super::stroke::Stint;
 use crate::motion::pose::LocalPose;
 use crate::motion::rotation::twist_angle;
 use crate::motion::short_arc::ShortArc;
-use glam::DVec3;
+use crate::phonology::Side;
+use std::ops::Range;
 
-impl Writer<'_> {
-    /// Eases the arm's joints from the neutral pose to the stroke and back (Naert et al. 2021, §4.2).
-    pub(super) fn write_ways(
-        &self,
-        plan: &HandPlan,
-        timeline: &Timeline,
-        first: usize,
-        last: usize,
-        poses: &mut [LocalPose],
-    ) {
+/// A way of one arm: its frames, and its two ends in seconds.
+pub(super) struct Way {
+    pub side: Side,
+    pub frames: Range<usize>,
+    pub from: Posture,
+    pub to: Posture,
+    /// When it begins and ends; the arm stands still before and after.
+    pub begin: f64,
+    pub end: f64,
+    /// The part of the way after which the handshape is there.
+    pub lead: f64,
+}
+
+/// When a hand that has time for it leaves for the neutral pose and comes from it, seconds.
+pub(super) struct AtRest {
+    /// The neutral pose is reached.
+    pub from: f64,
+    /// It is left.
+    pub until: f64,
+}
+
+impl Stage<'_> {
+    /// A hand at rest on one side.
+    pub(super) fn at_rest(&self, side: Side) -> Posture {
+        self.posture(side, &self.neutral)
+    }
+
+    /// Writes the frames between two strokes of one hand: straight, or by the neutral pose.
+    pub(super) fn write_between(&self, a: &Stint, b: &Stint, rest: Option<AtRest>, poses: &mut [LocalPose]) {
         let fps = self.options.fps.get();
-        let arm = self.signer.arm(plan.side);
-        let joints = [arm.clavicle, arm.upper, arm.fore, arm.hand];
-        let rotations = |pose: &LocalPose| joints.map(|j| pose.rotation(j));
-        let (start, end) = (rotations(&poses[first]), rotations(&poses[last]));
-        let neutral = rotations(&self.neutral);
-        let there: [ShortArc; 4] = std::array::from_fn(|j| ShortArc::new(neutral[j], start[j]));
-        let back: [ShortArc; 4] = std::array::from_fn(|j| ShortArc::new(end[j], neutral[j]));
-        let (begun, ended) = (first as f64 / fps, last as f64 / fps);
-        for (i, pose) in poses.iter_mut().enumerate() {
-            let time = i as f64 / fps;
-            let (arcs, share) = if i < first {
-                (&there, (time - timeline.start) / (begun - timeline.start).max(1e-9))
-            } else if i > last {
-                (&back, (time - ended) / (timeline.retracted - ended).max(1e-9))
-            } else {
-                continue;
-            };
-            // Before the preparation and after the retraction the arm hangs still.
-            let still = if i < first { share <= 0.0 } else { share >= 1.0 };
-            let weight = self.options.easing.weight(share);
-            for (j, joint) in joints.iter().enumerate() {
-                let rotation = if still { neutral[j] } else { arcs[j].eased(self.options.easing, weight) };
+        let (begin, end) = (a.last as f64 / fps, b.first as f64 / fps);
+        let (from, to) = (self.posture(a.side, &poses[a.last]), self.posture(a.side, &poses[b.first]));
+        let lead = self.grammar.movements.timing.handshape_lead;
+        let frames = a.last + 1..b.first;
+        match rest {
+            None => self.write_way(&Way { side: a.side, frames, from, to, begin, end, lead }, poses),
+            Some(rest) => {
+                let still = self.at_rest(a.side);
+                let middle = (((rest.from + rest.until) / 2.0 * fps).round() as usize).clamp(frames.start, frames.end);
+                let away = Way {
+                    side: a.side,
+                    frames: frames.start..middle,
+                    from,
+                    to: still,
+                    begin,
+                    end: rest.from,
+                    lead: 1.0,
+                };
+                self.write_way(&away, poses);
+                let back =
+                    Way { side: a.side, frames: middle..frames.end, from: still, to, begin: rest.until, end, lead };
+                self.write_way(&back, poses);
+            }
+        }
+    }
+
+    /// Writes the frames before a hand's first stroke, which it prepares from `begin` on.
+    pub(super) fn write_preparation(&self, stint: &Stint, begin: f64, poses: &mut [LocalPose]) {
+        let end = stint.first as f64 / self.options.fps.get();
+        let (from, to) = (self.at_rest(stint.side), self.posture(stint.side, &poses[stint.first]));
+        let lead = self.grammar.movements.timing.handshape_lead;
+        self.write_way(&Way { side: stint.side, frames: 0..stint.first, from, to, begin, end, lead }, poses);
+    }
+
+    /// Writes the frames after a hand's last stroke; it is back at rest at `end`.
+    pub(super) fn write_retraction(&self, stint: &Stint, end: f64, poses: &mut [LocalPose]) {
+        let begin = stint.last as f64 / self.options.fps.get();
+        let (from, to) = (self.posture(stint.side, &poses[stint.last]), self.at_rest(stint.side));
+        let frames = stint.last + 1..poses.len();
+        self.write_way(&Way { side: stint.side, frames, from, to, begin, end, lead: 1.0 }, poses);
+    }
+
+    fn write_way(&self, way: &Way, poses: &mut [LocalPose]) {
+        let (fps, easing) = (self.options.fps.get(), self.options.easing);
+        let arm = self.signer.arm(way.side);
+        let arm_joints = [arm.clavicle, arm.upper, arm.fore, arm.hand];
+        let finger_joints = self.signer.hand(way.side).joints();
+        let arm_arcs: [ShortArc; 4] = std::array::from_fn(|j| ShortArc::new(way.from.arm[j], way.to.arm[j]));
+        let finger_arcs: [ShortArc; 15] =
+            std::array::from_fn(|j| ShortArc::new(way.from.fingers[j], way.to.fingers[j]));
+        let whole = (way.end - way.begin).max(1e-9);
+        for i in way.frames.clone() {
+            let pose = &mut poses[i];
+            let share = (i as f64 / fps - way.begin) / whole;
+            let weight = easing.weight(share);
+            for (j, joint) in arm_joints.iter().enumerate() {
+                let rotation = match share {
+                    s if s <= 0.0 => way.from.arm[j],
+                    s if s >= 1.0 => way.to.arm[j],
+                    _ => arm_arcs[j].eased(easing, weight),
+                };
+                pose.set(*joint, rotation);
+            }
+            let formed = share / way.lead;
+            let weight = easing.weight(formed);
+            for (j, joint) in finger_joints.iter().enumerate() {
+                let rotation = match formed {
+                    s if s <= 0.0 => way.from.fingers[j],
+                    s if s >= 1.0 => way.to.fingers[j],
+                    _ => finger_arcs[j].eased(easing, weight),
+                };
                 pose.set(*joint, rotation);
             }
             let twist = twist_angle(pose.rotation(arm.hand), arm.rest.fore());
             arm.write_twist(twist, pose);
         }
-    }
-
-    /// Where the wrist is in every frame: as solved in the stroke, by forward kinematics of the arm elsewhere.
-    pub(super) fn wrists(&self, plan: &HandPlan, solved: &[ArmFrame], first: usize, poses: &[LocalPose]) -> Vec<DVec3> {
-        let arm = self.signer.arm(plan.side);
-        let skeleton = &self.signer.skeleton;
-        let trunk = skeleton[arm.clavicle].parent.unwrap_or(arm.clavicle);
-        let model = self.planner.neutral;
-        let (base, turn) = (model.position(arm.clavicle), model.rotation(trunk));
-        (0..poses.len())
-            .map(|i| match i.checked_sub(first).and_then(|n| solved.get(n)) {
-                Some(frame) => frame.wrist,
-                None => {
-                    let (mut at, mut turned) = (base, turn * poses[i].rotation(arm.clavicle));
-                    for joint in [arm.upper, arm.fore, arm.hand] {
-                        at += turned * skeleton.offset(joint);
-                        turned *= poses[i].rotation(joint);
-                    }
-                    at
-                }
-            })
-            .collect()
     }
 }

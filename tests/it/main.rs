@@ -28,4 +28,5 @@ mod signing;
 mod strategies;
 mod synthesis_face;
 mod synthesis_path;
+mod synthesis_plan;
 mod synthesis_sign;

@@ -69,7 +69,8 @@ fn digits() -> impl Strategy<Value = Digits> {
 pub fn hand_point() -> impl Strategy<Value = HandPoint> {
     let flank = || of(select(Flank::ALL.to_vec()));
     let on_digit = (digits(), select(HandPart::OF_A_DIGIT.to_vec()), flank());
-    let on_limb = (Just(Digits::NONE), select(HandPart::OF_THE_LIMB.to_vec()), flank());
+    let on_limb =
+        (Just(Digits::NONE), select(HandPart::all().filter(|p| !p.needs_digit()).collect::<Vec<_>>()), flank());
     prop_oneof![on_digit, on_limb].prop_filter_map("a finger", |(d, part, flank)| HandPoint::new(d, part, flank))
 }
 
@@ -101,7 +102,10 @@ fn place(words: &Words) -> impl Strategy<Value = Place> + use<> {
         1 => "[A-Za-z \"\\\\#é]{0,6}".prop_map(Place::Referent),
     ];
     leaf.prop_recursive(3, 8, 2, |inner| {
-        (inner.clone(), inner).prop_map(|(a, b)| Place::Between(Box::new(a), Box::new(b)))
+        prop_oneof![
+            2 => (inner.clone(), inner.clone()).prop_map(|(a, b)| Place::Between(Box::new(a), Box::new(b))),
+            1 => inner.prop_map(|at| Place::Towards(Box::new(at))),
+        ]
     })
 }
 
@@ -152,7 +156,7 @@ fn across(a: glam::DVec3, b: glam::DVec3) -> bool {
     a.cross(b).length() >= 0.21
 }
 
-fn motion() -> impl Strategy<Value = Motion> {
+fn motion(interval: usize) -> impl Strategy<Value = Motion> {
     let arc = (heading(), extent(), direction(), size(), overlay())
         .prop_filter("a bulge", |(d, _, b, ..)| across(d.vector(), b.vector()))
         .prop_map(|(direction, extent, bulge, depth, overlay)| Motion::Arc {
@@ -176,6 +180,7 @@ fn motion() -> impl Strategy<Value = Motion> {
     prop_oneof![
         Just(Motion::Hold),
         Just(Motion::Change),
+        (0..=interval).prop_map(|key| Motion::Return { key }),
         (heading(), extent(), overlay()).prop_map(|(direction, extent, overlay)| Motion::Straight {
             direction,
             extent,
@@ -193,11 +198,11 @@ fn repetition() -> impl Strategy<Value = Repetition> {
     (select(kinds), 2u8..=50, -9i8..=9).prop_map(|(kind, times, growth)| Repetition { kind, times, growth })
 }
 
-/// A movement of one interval.
-pub fn movement(words: &Words) -> impl Strategy<Value = Movement> + use<> {
+/// A movement of one interval, by its number.
+fn movement(words: &Words, interval: usize) -> impl Strategy<Value = Movement> + use<> {
     let manner = proptest::sample::subsequence(Manner::ALL.to_vec(), 0..=3);
     let action = (
-        motion(),
+        motion(interval),
         of(placement(words)),
         proptest::option::weighted(0.1, placement(words)),
         manner,
@@ -207,14 +212,16 @@ pub fn movement(words: &Words) -> impl Strategy<Value = Movement> + use<> {
     );
     let leaf = action.prop_map(|(motion, target, brushing, manner, repetition, duration, alternating)| {
         let duration = duration.map(Seconds);
+        let target = target.filter(|_| !matches!(motion, Motion::Return { .. }));
         Movement::Action(Box::new(Action { motion, target, brushing, manner, repetition, duration, alternating }))
     });
     leaf.prop_recursive(2, 6, 3, |inner| {
-        let parts = vec(inner, 2..4);
+        let (parts, back) = (vec(inner.clone(), 2..4), inner);
         prop_oneof![
             parts.clone().prop_map(Movement::Sequence),
             parts.clone().prop_map(Movement::Together),
             parts.prop_map(Movement::Fused),
+            back.prop_map(|m| Movement::Backwards(Box::new(m))),
         ]
     })
 }
@@ -236,7 +243,7 @@ fn manual(words: &Words, intervals: usize, moves: bool) -> impl Strategy<Value =
         keys(configuration(words), intervals),
         keys(placement(words), intervals),
         keys(orientation(), intervals).prop_filter("a palm", palms_can_be),
-        vec(movement(words), count),
+        (0..count).map(|i| movement(words, i).boxed()).collect::<Vec<_>>(),
     )
         .prop_map(|(configuration, placement, orientation, movement)| Manual {
             configuration,
@@ -272,6 +279,16 @@ fn symmetry() -> impl Strategy<Value = Symmetry> {
 fn contact() -> impl Strategy<Value = Contact> {
     let kind = prop_oneof![select(ContactKind::NAMED.to_vec()), (0.0f64..3.0).prop_map(ContactKind::Metres),];
     (hand_point(), hand_point(), kind).prop_map(|(strong, weak, kind)| Contact { strong, weak, kind })
+}
+
+fn attested(words: &Words) -> impl Strategy<Value = Attested> + use<> {
+    (configuration(words), vec(("[a-z]{2}", text()), 0..3))
+        .prop_map(|(configuration, meaning)| Attested { configuration, meaning })
+}
+
+fn relocation(words: &Words) -> impl Strategy<Value = Relocation> + use<> {
+    let place = place(words).prop_filter("a place", |p| !matches!(p, Place::Towards(_)));
+    (place, select(vec![Forced::No, Forced::Yes])).prop_map(|(place, forced)| Relocation { place, forced })
 }
 
 fn nonmanual(words: &Words, channel: Channel) -> impl Strategy<Value = NonManual> + use<> {
@@ -337,8 +354,17 @@ pub fn sign(words: Words) -> impl Strategy<Value = Sign> {
             of(text()),
             of(0.01f64..60.0),
         );
-        (header, strong, weak, contact, nonmanuals(&words, intervals)).prop_map(
-            move |((name, language, meaning, source, status, note, duration), strong, weak, contact, nonmanual)| Sign {
+        let whole =
+            (prop_oneof![4 => Just(1.0), 1 => 0.05f64..20.0], vec(attested(&words), 0..3), of(relocation(&words)));
+        (header, strong, weak, contact, nonmanuals(&words, intervals), whole).prop_map(
+            move |(
+                (name, language, meaning, source, status, note, duration),
+                strong,
+                weak,
+                contact,
+                nonmanual,
+                (speed, base, relocated),
+            )| Sign {
                 name,
                 language,
                 meaning,
@@ -352,6 +378,9 @@ pub fn sign(words: Words) -> impl Strategy<Value = Sign> {
                 contact,
                 nonmanual,
                 duration: duration.map(Seconds),
+                speed,
+                base,
+                relocated,
             },
         )
     })

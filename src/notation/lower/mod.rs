@@ -6,7 +6,7 @@ mod value;
 use super::syntax::{Content, File, TierLine, Value, Values};
 use super::vocabulary::Vocabulary;
 use crate::diagnostics::{Diagnostic, Severity, Span, Spanned};
-use crate::phonology::{Action, Channel, Hand, Hands, Keys, Manual, Motion, Movement, Orientation, Sign};
+use crate::phonology::{Action, Channel, Hand, Hands, Keys, Manual, Motion, Movement, Orientation, Relocation, Sign};
 use crate::time::Seconds;
 use keys::{Tally, place};
 pub(crate) use value::NAME_STOPS;
@@ -157,6 +157,7 @@ impl<'f> Block<'f> {
                     span = Some(tier.keyword.0);
                 }
                 Value::Duration(duration) => sign.duration = Some(Seconds(duration.seconds())),
+                Value::Speed(speed) => sign.speed = *speed,
                 _ => {}
             }
         }
@@ -291,6 +292,14 @@ impl<'f> Block<'f> {
                     let keys = place((values, tier.keyword.0), tally, faults, |v, f| names.nonmanual(channel, v, f));
                     sign.nonmanual.push((channel, keys));
                 }
+            }
+        }
+        for tier in &self.tiers {
+            if let Value::Base(all) = &tier.value {
+                sign.base = names.base(all, faults);
+            }
+            if let Value::At(to) = &tier.value {
+                sign.relocated = names.place(&to.place, faults).map(|place| Relocation { place, forced: to.forced });
             }
         }
         for tier in &self.tiers {

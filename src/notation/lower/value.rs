@@ -6,8 +6,8 @@ use crate::notation::suggest::nearest;
 use crate::notation::syntax::{self, ContactKind, NonManualWhat, Values};
 use crate::notation::vocabulary::{Found, Vocabulary};
 use crate::phonology::{
-    self, Action, Channel, Configuration, Contact, Direction, Distance, Extent, Heading, Lateral, Motion, Movement,
-    NonManual, NonManualValue, Place, Placement, RepetitionKind,
+    self, Action, Attested, Channel, Configuration, Contact, Direction, Distance, Extent, Heading, Lateral, Motion,
+    Movement, NonManual, NonManualValue, Place, Placement, RepetitionKind,
 };
 use crate::time::Seconds;
 use glam::DVec3;
@@ -72,7 +72,7 @@ impl Names<'_> {
         });
     }
 
-    fn place(&self, written: &syntax::Place, faults: &mut Vec<Diagnostic>) -> Option<Place> {
+    pub(super) fn place(&self, written: &syntax::Place, faults: &mut Vec<Diagnostic>) -> Option<Place> {
         Some(match written {
             syntax::Place::Named(name) => {
                 self.place_name(name, faults)?;
@@ -86,7 +86,17 @@ impl Names<'_> {
                 Place::Between(Box::new(a?), Box::new(b?))
             }
             syntax::Place::Referent(name) => Place::Referent(name.clone()),
+            syntax::Place::Towards(at) => Place::Towards(Box::new(self.place(at, faults)?)),
         })
+    }
+
+    /// The configurations attested on a base.
+    pub(super) fn base(&self, written: &[syntax::Attested], faults: &mut Vec<Diagnostic>) -> Vec<Attested> {
+        let made = |one: &syntax::Attested| {
+            let configuration = self.configuration(&one.configuration, faults)?;
+            Some(Attested { configuration, meaning: one.meaning.clone() })
+        };
+        written.iter().filter_map(made).collect()
     }
 
     fn place_name(&self, name: &Spanned<String>, faults: &mut Vec<Diagnostic>) -> Option<()> {
@@ -96,8 +106,9 @@ impl Names<'_> {
         }
         let fault =
             Diagnostic::fault(name.span, format!("`{}` is not a known place", name.value)).label("unknown place");
-        let hand = phonology::HandPart::OF_THE_LIMB.into_iter().chain(phonology::HandPart::OF_A_DIGIT);
-        let hand = hand.map(phonology::HandPart::name).chain(phonology::Digit::ALL.map(phonology::Digit::name));
+        let hand = phonology::HandPart::all()
+            .map(phonology::HandPart::name)
+            .chain(phonology::Digit::ALL.map(phonology::Digit::name));
         let first = name.value.split(' ').next().unwrap_or_default();
         let fault = if let Some((first, rest)) = split_known(&name.value, |n| places.id(n).is_some()) {
             fault.hint(format!("is a comma missing? `{first}, {rest}`"))
@@ -182,7 +193,8 @@ impl Names<'_> {
     ) -> Vec<Movement> {
         let mut parts = 0;
         let mut out = Vec::with_capacity(written.len());
-        for movement in written {
+        for (interval, movement) in written.iter().enumerate() {
+            check_returns(movement, interval + 1, faults);
             match self.movement(movement, span, &mut parts, faults) {
                 Some(movement) => out.push(movement),
                 None => return Vec::new(),
@@ -214,6 +226,11 @@ impl Names<'_> {
             syntax::Movement::Group { fused: true, parts } => all(parts).map(Movement::Fused),
             syntax::Movement::Group { fused: false, parts } => all(parts).map(Movement::Sequence),
             syntax::Movement::Together(parts) => all(parts).map(Movement::Together),
+            syntax::Movement::Backwards(inner) => match &**inner {
+                syntax::Movement::Group { fused: false, parts } => all(parts).map(Movement::Sequence),
+                other => self.movement(other, span, parts, faults),
+            }
+            .map(|inner| Movement::Backwards(Box::new(inner))),
             syntax::Movement::Repeated(group, repetition) => {
                 if repetition.kind != RepetitionKind::Continue || repetition.growth != 0 {
                     faults.push(
@@ -255,6 +272,29 @@ impl Names<'_> {
     }
 }
 
+/// Faults for ways back to keys that the hand has not come to when interval `count` (from 1) begins.
+fn check_returns(written: &syntax::Movement, count: usize, faults: &mut Vec<Diagnostic>) {
+    match written {
+        syntax::Movement::Action(action) => {
+            if let syntax::Motion::Return(key) = action.motion
+                && key.value > count
+            {
+                faults.push(
+                    Diagnostic::fault(key.span, format!("the hand has not been at key {} yet", key.value))
+                        .label(format!("movement {count} begins at key {count}"))
+                        .hint("`back` goes to a key before it; key 1 is the start"),
+                );
+            }
+        }
+        syntax::Movement::Group { parts, .. } | syntax::Movement::Together(parts) => {
+            parts.iter().for_each(|part| check_returns(part, count, faults));
+        }
+        syntax::Movement::Repeated(inner, _) => check_returns(inner, count, faults),
+        // Keys in it count from the sign's end.
+        syntax::Movement::Backwards(_) => {}
+    }
+}
+
 /// A known name in front of something more: a comma was forgotten.
 fn split_known(name: &str, known: impl Fn(&str) -> bool) -> Option<(&str, &str)> {
     name.match_indices(' ').map(|(i, _)| (&name[..i], &name[i + 1..])).rev().find(|(first, _)| known(first)).filter(
@@ -280,6 +320,7 @@ fn motion(written: &syntax::Motion) -> Motion {
     match *written {
         syntax::Motion::Hold => Motion::Hold,
         syntax::Motion::Change => Motion::Change,
+        syntax::Motion::Return(key) => Motion::Return { key: key.value.saturating_sub(1) },
         syntax::Motion::Straight { direction, extent: e, overlay } => {
             Motion::Straight { direction, extent: extent(e), overlay }
         }

@@ -43,6 +43,12 @@ impl<'a> Tokens<'a> {
         Tokens { rest: self.rest.get(n..).unwrap_or(&[]), end: self.end }
     }
 
+    /// Only the next tokens; what is missing after them is missing where the next one stands.
+    pub(crate) fn first_n(self, n: usize) -> Tokens<'a> {
+        let end = self.rest.get(n).map_or(self.end, |t| t.span.start);
+        Tokens { rest: self.rest.get(..n).unwrap_or(self.rest), end }
+    }
+
     /// Where the next token stands, or the end of the line.
     pub(crate) fn span(self) -> Span {
         self.first().map_or(Span::new(self.end, self.end), |t| t.span)

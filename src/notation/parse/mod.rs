@@ -8,6 +8,7 @@ pub(crate) mod nonmanual;
 mod orientation;
 pub(crate) mod placement;
 mod tier;
+mod whole;
 mod words;
 
 use super::lex::{Kind, Token, lex, lines};
@@ -20,7 +21,7 @@ use unicode_normalization::UnicodeNormalization;
 use words::{duration, is_word, text};
 
 /// The keywords that begin a tier's line, besides the non-manual channels.
-pub(crate) const TIERS: [&str; 10] = [
+pub(crate) const TIERS: [&str; 13] = [
     "meaning",
     "source",
     "status",
@@ -31,6 +32,9 @@ pub(crate) const TIERS: [&str; 10] = [
     "orientation",
     "movement",
     "contact",
+    "speed",
+    "base",
+    "at",
 ];
 
 /// Reads a text. Lines with faults come back as [`Content::Broken`], each with its diagnostic.
@@ -180,6 +184,9 @@ fn tier<'a>(input: Tokens<'a>, hand: Option<Hand>) -> Parsed<'a, Value> {
         "movement" => movement::movements(rest).map(|(r, v)| (r, Value::Movement(v))),
         "contact" => tier::values(rest, orientation::contact).map(|(r, v)| (r, Value::Contact(v))),
         "duration" => must(duration(rest)).map(|(r, v)| (r, Value::Duration(v))),
+        "speed" => must(whole::speed(rest)).map(|(r, v)| (r, Value::Speed(v))),
+        "base" => must(whole::base(rest)).map(|(r, v)| (r, Value::Base(v))),
+        "at" => must(whole::relocation(rest)).map(|(r, v)| (r, Value::At(v))),
         _ => match Channel::ALL.into_iter().find(|c| c.name() == keyword) {
             Some(_) if hand.is_some() => {
                 told(Diagnostic::fault(input.span(), format!("`{keyword}` is no tier of a hand")).label("here"))
@@ -263,7 +270,7 @@ fn no_tier<'a, T>(input: Tokens<'a>, hand: Option<Hand>) -> Parsed<'a, T> {
     if word.chars().all(|c| c.is_uppercase() || c == '-') && input.skip().is_empty() {
         return told(fault.hint(format!("did you mean `sign {word}`?")));
     }
-    let known = TIERS.into_iter().chain(["sign", "language", "duration", "strong", "weak"]);
+    let known = TIERS.into_iter().filter(|t| *t != "at").chain(["sign", "language", "duration", "strong", "weak"]);
     let known = known.chain(Channel::ALL.map(Channel::name));
     let synonym = SYNONYMS.iter().find(|(said, _)| word.eq_ignore_ascii_case(said));
     told(match synonym.map(|(_, ours)| *ours).or_else(|| nearest(word, known)) {

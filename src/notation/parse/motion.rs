@@ -1,18 +1,19 @@
 //! What a hand does: straight, arc, circle, of the wrist, of the fingers.
 
 use super::input::{Mistake, Parsed, Tokens, expected, must, told};
+use super::tier::MOST_KEYS;
 use super::words::{
     choice, count, digits, direction, distance_covered, heading, is_one_of, is_word, keyword, must_direction,
     must_heading, number,
 };
-use crate::diagnostics::Diagnostic;
+use crate::diagnostics::{Diagnostic, Spanned};
 use crate::notation::lex::Kind;
 use crate::notation::suggest::nearest;
 use crate::notation::syntax::{Extent, Motion};
 use crate::phonology::{Clock, Direction, Overlay, Size, WristMotion};
 
 /// The words that a movement can begin with, besides directions.
-const MOTIONS: [&str; 15] = [
+const MOTIONS: [&str; 17] = [
     "straight",
     "arc",
     "circle",
@@ -26,6 +27,8 @@ const MOTIONS: [&str; 15] = [
     "stir-counterclockwise",
     "wiggle",
     "fused",
+    "back",
+    "backwards",
     "between",
     "stir",
 ];
@@ -40,6 +43,9 @@ pub(crate) fn motion<'a>(input: Tokens<'a>) -> Parsed<'a, Motion> {
         if is_word(input, word) {
             return Ok((input.skip(), motion));
         }
+    }
+    if is_word(input, "back") {
+        return back(input);
     }
     if is_word(input, "straight") {
         return straight(input.skip());
@@ -61,6 +67,23 @@ pub(crate) fn motion<'a>(input: Tokens<'a>) -> Parsed<'a, Motion> {
         return straight(input);
     }
     no_motion(input)
+}
+
+/// `back [to key N]`
+fn back<'a>(input: Tokens<'a>) -> Parsed<'a, Motion> {
+    let rest = input.skip();
+    if is_word(rest, "to") && is_word(rest.skip(), "key") {
+        let (after, key) = must(count(rest.skip_n(2), MOST_KEYS))?;
+        return Ok((after, Motion::Return(Spanned::new(key.into(), input.span_to(after)))));
+    }
+    if is_word(rest, "to") && !is_word(rest.skip(), "and") {
+        return told(
+            Diagnostic::fault(input.span_to(rest.skip()), "`back` goes to a key, not to a place")
+                .label("here")
+                .hint("write `back`, `back to key 2`, or only `to` and the place"),
+        );
+    }
+    Ok((rest, Motion::Return(Spanned::new(1, input.span()))))
 }
 
 fn no_motion<'a, T>(input: Tokens<'a>) -> Parsed<'a, T> {

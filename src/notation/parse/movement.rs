@@ -12,7 +12,7 @@ use crate::phonology::{Manner, Repetition, RepetitionKind};
 /// How deep groups may nest.
 const DEEPEST: usize = 32;
 /// How often a movement may repeat.
-const MOST_TIMES: u8 = 50;
+const MOST_TIMES: u16 = 50;
 
 /// `STEP { then STEP }`: one an interval.
 pub(crate) fn movements<'a>(input: Tokens<'a>) -> Parsed<'a, Vec<Movement>> {
@@ -49,10 +49,14 @@ fn together<'a>(input: Tokens<'a>, depth: usize) -> Parsed<'a, Movement> {
 
 fn primary<'a>(input: Tokens<'a>, depth: usize) -> Parsed<'a, Movement> {
     let fused = is_word(input, "fused");
-    let open = if fused { input.skip() } else { input };
+    let backwards = is_word(input, "backwards");
+    let open = if fused || backwards { input.skip() } else { input };
     if !open.is(Kind::Open) {
         if fused {
             return must(expected(open, "a bracket after `fused`"));
+        }
+        if backwards {
+            return must(expected(open, "a bracket after `backwards`"));
         }
         return action(input).map(|(rest, action)| (rest, Movement::Action(Box::new(action))));
     }
@@ -83,6 +87,7 @@ fn primary<'a>(input: Tokens<'a>, depth: usize) -> Parsed<'a, Movement> {
         }
         None => return expected(rest, "a movement"),
     };
+    let group = if backwards { Movement::Backwards(Box::new(group)) } else { group };
     match repetition(if rest.is(Kind::Comma) { rest.skip() } else { rest }) {
         Ok((after, repetition)) => Ok((after, Movement::Repeated(Box::new(group), repetition))),
         Err(nom::Err::Error(_)) => Ok((rest, group)),
@@ -126,6 +131,10 @@ fn modifier<'a>(input: Tokens<'a>, action: &mut Action) -> Parsed<'a, ()> {
         Ok((rest, repetition)) => return set(&mut action.repetition, repetition, input, rest),
         Err(nom::Err::Error(_)) => {}
         Err(other) => return Err(other),
+    }
+    let back = matches!(action.motion, Motion::Return(_));
+    if is_word(input, "to") && back {
+        return expected(input, "a manner; `back` says already where it goes");
     }
     if is_word(input, "to") {
         let (rest, place) = must(placement(input.skip()))?;
@@ -200,5 +209,5 @@ fn repetition<'a>(input: Tokens<'a>) -> Parsed<'a, Repetition> {
         );
     }
     let (after, growth) = sign_of_growth(after)?;
-    Ok((after, Repetition { kind, times, growth }))
+    Ok((after, Repetition { kind, times: times as u8, growth }))
 }

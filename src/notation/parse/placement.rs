@@ -11,7 +11,7 @@ use crate::notation::syntax::{Distance, Place, Placement};
 use crate::phonology::{Side, Space};
 
 /// Words that end the name of a place: what joins values, and what is said of a movement or a gaze; its side.
-pub(crate) const STOPS: [&str; 21] = [
+pub(crate) const STOPS: [&str; 22] = [
     "then",
     "at",
     "and",
@@ -31,11 +31,13 @@ pub(crate) const STOPS: [&str; 21] = [
     "alternating",
     "slight",
     "strong",
+    "forced",
     "left",
     "right",
 ];
 /// Words that a place other than a named one begins with.
-pub(crate) const HEADS: [&str; 8] = ["behind", "beside", "between", "other", "space", "point", "referent", "the"];
+pub(crate) const HEADS: [&str; 10] =
+    ["behind", "beside", "between", "other", "space", "point", "pointing", "referent", "the", "key"];
 
 /// How deep `between` may nest.
 const DEEPEST: usize = 16;
@@ -103,7 +105,7 @@ fn side(input: Tokens) -> Option<Side> {
     }
 }
 
-fn place<'a>(input: Tokens<'a>, depth: usize) -> Parsed<'a, Place> {
+pub(crate) fn place<'a>(input: Tokens<'a>, depth: usize) -> Parsed<'a, Place> {
     if depth > DEEPEST {
         return told(Diagnostic::fault(input.span(), "places are nested too deeply").label("here"));
     }
@@ -129,6 +131,11 @@ fn place<'a>(input: Tokens<'a>, depth: usize) -> Parsed<'a, Place> {
     if is_word(input, "point") {
         return point(input.skip());
     }
+    if is_word(input, "pointing") {
+        let (rest, ()) = must(keyword("at")(input.skip()))?;
+        let (rest, at) = must(place(rest, depth + 1))?;
+        return Ok((rest, Place::Towards(Box::new(at))));
+    }
     if is_word(input, "referent") {
         let (rest, name) = must(text(input.skip()))?;
         return Ok((rest, Place::Referent(name)));
@@ -141,7 +148,7 @@ fn named<'a>(input: Tokens<'a>) -> Parsed<'a, Place> {
     Ok((rest, Place::Named(found)))
 }
 
-fn space<'a>(input: Tokens<'a>) -> Parsed<'a, Place> {
+pub(crate) fn space<'a>(input: Tokens<'a>) -> Parsed<'a, Place> {
     let mut cell = Space::default();
     let mut said = [false; 3];
     let mut rest = input;

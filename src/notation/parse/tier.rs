@@ -7,7 +7,7 @@ use crate::notation::syntax::{Ignored, Key, Placed, Values};
 use crate::phonology::Sign;
 
 /// The most keys that `at key` counts to.
-const MOST_KEYS: u8 = Sign::MOST_INTERVALS as u8 + 1;
+pub(crate) const MOST_KEYS: u16 = Sign::MOST_INTERVALS as u16 + 1;
 
 /// `VALUE [at KEY] { then VALUE [at KEY] }`
 pub(crate) fn values<'a, T>(input: Tokens<'a>, value: impl Fn(Tokens<'a>) -> Parsed<'a, T>) -> Parsed<'a, Values<T>> {

@@ -108,7 +108,7 @@ pub(crate) fn number<'a>(input: Tokens<'a>) -> Parsed<'a, f64> {
 }
 
 /// A whole number from 1 to `most`.
-pub(crate) fn count<'a>(input: Tokens<'a>, most: u8) -> Parsed<'a, u8> {
+pub(crate) fn count<'a>(input: Tokens<'a>, most: u16) -> Parsed<'a, u16> {
     let (rest, value) = number(input)?;
     if value.fract() != 0.0 || value < 1.0 || value > f64::from(most) {
         return told(
@@ -116,7 +116,7 @@ pub(crate) fn count<'a>(input: Tokens<'a>, most: u8) -> Parsed<'a, u8> {
         );
     }
     // In range: checked above.
-    Ok((rest, value as u8))
+    Ok((rest, value as u16))
 }
 
 /// `1,5cm`: a number, a comma and a number without a space between.
@@ -321,7 +321,7 @@ pub(crate) fn hand_point<'a>(input: Tokens<'a>) -> Parsed<'a, HandPoint> {
         Err(_) => (input, None),
     };
     let (rest, fingers) = digits(rest)?;
-    let parts: Vec<HandPart> = HandPart::OF_A_DIGIT.into_iter().chain(HandPart::OF_THE_LIMB).collect();
+    let parts: Vec<HandPart> = HandPart::all().collect();
     let Ok((after, part)) = choice(rest, &parts, HandPart::name, "a point of the hand") else {
         return no_hand_point(input, rest, fingers);
     };
@@ -332,6 +332,11 @@ pub(crate) fn hand_point<'a>(input: Tokens<'a>) -> Parsed<'a, HandPoint> {
                 .label("a finger stands before it")
                 .hint(format!("say the finger first: `index {}`", part.name())),
         ),
+        None if fingers.is_empty() => told(
+            Diagnostic::fault(input.span_to(after), "the wrist is a joint, and has no faces")
+                .label("here")
+                .hint("on the skin there are `wrist-back` and `wrist-pulse`"),
+        ),
         None => told(
             Diagnostic::fault(input.span_to(after), format!("the {} belongs to no finger", part.name()))
                 .label("here")
@@ -341,7 +346,7 @@ pub(crate) fn hand_point<'a>(input: Tokens<'a>) -> Parsed<'a, HandPoint> {
 }
 
 fn no_hand_point<'a, T>(start: Tokens<'a>, rest: Tokens<'a>, fingers: Digits) -> Parsed<'a, T> {
-    let parts = || HandPart::OF_A_DIGIT.into_iter().chain(HandPart::OF_THE_LIMB).map(HandPart::name);
+    let parts = || HandPart::all().map(HandPart::name);
     let word = rest.word();
     if !fingers.is_empty() {
         let fault = Diagnostic::fault(start.span_to(rest), "which part of the finger?").label("a part stands after it");

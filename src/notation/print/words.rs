@@ -5,11 +5,11 @@ use crate::notation::lower::NAME_STOPS;
 use crate::notation::parse::motion::{CLOCK, size_name};
 use crate::notation::parse::{nonmanual, placement};
 use crate::notation::syntax::{
-    Action, Configuration, Contact, ContactKind, Distance, Duration, Extent, Key, Length, Motion, Movement, NonManual,
-    NonManualWhat, Orientation, Place, Placement, Values,
+    Action, Attested, Configuration, Contact, ContactKind, Distance, Duration, Extent, Key, Length, Motion, Movement,
+    NonManual, NonManualWhat, Orientation, Place, Placement, Relocation, Values,
 };
 use crate::phonology::{
-    Amount, Digits, Hands, HandshapeChange, Overlay, Relation, Repetition, RepetitionKind, Side, Size,
+    Amount, Digits, Forced, Hands, HandshapeChange, Overlay, Relation, Repetition, RepetitionKind, Side, Size,
 };
 use std::fmt;
 
@@ -98,12 +98,13 @@ fn place(v: &Place) -> String {
         Place::Point([x, y, z]) => format!("point {x} {y} {z}"),
         Place::Between(a, b) => {
             let part = |p: &Place| match p {
-                Place::Between(..) => format!("({})", place(p)),
+                Place::Between(..) | Place::Towards(_) => format!("({})", place(p)),
                 other => place(other),
             };
             format!("between {} and {}", part(a), part(b))
         }
         Place::Referent(name) => format!("referent {}", quote(name)),
+        Place::Towards(at) => format!("pointing at {}", place(at)),
     }
 }
 
@@ -131,6 +132,27 @@ pub(super) fn placement(v: &Placement) -> String {
         text.push_str(&format!(", offset {way} {far}"));
     }
     text
+}
+
+/// Meanings, each with its language.
+pub(super) fn meanings(all: &[(String, String)]) -> String {
+    let all: Vec<String> = all.iter().map(|(tag, words)| format!("{tag} {}", quote(words))).collect();
+    all.join(", ")
+}
+
+pub(super) fn base(all: &[Attested]) -> String {
+    let one = |a: &Attested| {
+        let shape = configuration(&a.configuration);
+        if a.meaning.is_empty() { shape } else { format!("{shape} {}", meanings(&a.meaning)) }
+    };
+    all.iter().map(one).collect::<Vec<_>>().join(" then ")
+}
+
+pub(super) fn relocation(to: &Relocation) -> String {
+    match to.forced {
+        Forced::No => place(&to.place),
+        Forced::Yes => format!("{}, forced", place(&to.place)),
+    }
 }
 
 pub(super) fn orientation(v: &Orientation) -> String {
@@ -192,6 +214,10 @@ pub fn movement_text(v: &Movement) -> String {
     match v {
         Movement::Action(action) => action_text(action),
         Movement::Group { fused, parts } => format!("{}( {} )", if *fused { "fused " } else { "" }, movements(parts)),
+        Movement::Backwards(inner) => match &**inner {
+            Movement::Group { fused: false, .. } => format!("backwards {}", movement_text(inner)),
+            other => format!("backwards ( {} )", movement_text(other)),
+        },
         Movement::Together(parts) => {
             let parts: Vec<String> = parts
                 .iter()
@@ -240,6 +266,8 @@ fn motion_text(v: &Motion) -> String {
     match v {
         Motion::Hold => "hold".to_owned(),
         Motion::Change => "change".to_owned(),
+        Motion::Return(key) if key.value == 1 => "back".to_owned(),
+        Motion::Return(key) => format!("back to key {}", key.value),
         Motion::Straight { direction, extent: e, overlay: o } => format!("{direction}{}{}", extent(*e), overlay(*o)),
         Motion::Arc { direction, extent: e, bulge, depth, overlay: o } => {
             let bulge = bulge.map(|b| format!(" bulging {b}")).unwrap_or_default();
