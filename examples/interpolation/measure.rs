@@ -8,7 +8,7 @@ use chereme::motion::curve::{Measure, Reference, of_clip};
 use chereme::motion::easing::Easing;
 use chereme::motion::point;
 use chereme::motion::rotation::angle_between;
-use chereme::notation::lexicon::{Lexicon, embedded};
+use chereme::notation::Lexicon;
 use chereme::notation::{Vocabulary, read};
 use chereme::phonology::Sign;
 use chereme::synthesis::{Grammar, Options, Performance, synthesize};
@@ -58,8 +58,7 @@ struct Gesture {
 pub fn measure() -> Vec<Measured> {
     let (grammar, vocabulary) = (Grammar::builtin(), Vocabulary::builtin());
     let signer = chereme::avatar::signer().expect("the embedded avatar");
-    let mut lexicon = Lexicon::default();
-    lexicon.add(embedded(), &vocabulary);
+    let lexicon = Lexicon::builtin();
     let pointing = read(POINTING, &vocabulary, "lsf").signs.remove(0).sign;
     let dodo = lexicon.find("DODO", Some("lsf")).expect("DODO").sign.clone();
     let gestures = [

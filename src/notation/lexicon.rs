@@ -8,8 +8,11 @@ mod link;
 use super::read::{Reading, read};
 use super::vocabulary::Vocabulary;
 use crate::diagnostics::{Diagnostic, Error, Source, Span};
+use crate::phonology::LocationInventory;
 use crate::phonology::Sign;
 use crate::phonology::grammar::fold;
+use crate::phonology::movement_table::MovementTable;
+use crate::phonology::operator::Tables;
 use crate::phonology::recombination::Recombination;
 use link::Unmade;
 use std::collections::BTreeMap;
@@ -78,6 +81,20 @@ fn is_alphabet(path: &str) -> bool {
 }
 
 impl Lexicon {
+    /// The signs that come with the program, those made from others among them.
+    ///
+    /// ```
+    /// use chereme::notation::Lexicon;
+    /// assert!(Lexicon::builtin().find("FONCÉ", Some("lsf")).is_ok());
+    /// ```
+    pub fn builtin() -> Lexicon {
+        let (locations, movements) = (LocationInventory::builtin(), MovementTable::embedded());
+        let mut lexicon = Lexicon::default();
+        let mut checked = lexicon.add(embedded(), &Vocabulary::builtin());
+        lexicon.link(&Tables { locations: &locations, movements: &movements }, &mut checked);
+        lexicon
+    }
+
     /// Adds the files of one source, above the sources added before. Signs without faults are taken; those that are made from
     /// others wait for [`Lexicon::link`].
     ///

@@ -116,11 +116,11 @@ fn profile_says_what_it_cannot_do() {
 #[test]
 fn profile_measures_recordings() {
     let folder = Folder::new("profile-bvh");
-    let text = "HIERARCHY\nROOT Hips {\n OFFSET 0 0 0\n CHANNELS 1 Yposition\n End Site {\n OFFSET 0 50 0 } }\n\
+    let text = "HIERARCHY\nROOT Hips {\n OFFSET 0 0 0\n CHANNELS 1 Yposition\n End Site {\n OFFSET 0 170 0 } }\n\
                 MOTION\nFrames: 3\nFrame Time: 0.1\n90\n95\n100\n";
     folder.write("walk.bvh", text);
     let done = run(&folder.0, &["profile", "walk.bvh", "--joint", "Hips,HipsTip", "-o", "-", "--decimals", "3"], "");
     assert_eq!(done.code, 0, "{}", done.err);
     assert!(done.out.starts_with("time [s],Hips floor height [m],Hips floor speed [m/s],HipsTip floor height [m]"));
-    assert!(done.out.contains("\n0.100,0.950,0.500,1.450,0.500\n"), "{}", done.out);
+    assert!(done.out.contains("\n0.100,0.950,0.500,2.650,0.500\n"), "{}", done.out);
 }

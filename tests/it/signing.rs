@@ -2,7 +2,7 @@
 
 use chereme::body::signer::Signer;
 use chereme::motion::pose::ModelPose;
-use chereme::notation::lexicon::{self, Lexicon};
+use chereme::notation::Lexicon;
 use chereme::notation::{Vocabulary, read};
 use chereme::phonology::Sign;
 use chereme::phonology::operator::Tables;
@@ -47,12 +47,15 @@ pub fn tables() -> Tables<'static> {
     Tables { locations: &world().grammar.locations, movements: &world().grammar.movements }
 }
 
+/// The embedded lexicon, read once.
+pub fn lexicon() -> &'static Lexicon {
+    static LEXICON: OnceLock<Lexicon> = OnceLock::new();
+    LEXICON.get_or_init(Lexicon::builtin)
+}
+
 /// All signs of a language's lexicon, its letters included.
 pub fn signs_of(language: &str) -> Vec<Sign> {
-    let mut all = Lexicon::default();
-    let mut checked = all.add(lexicon::embedded(), &world().vocabulary);
-    all.link(&tables(), &mut checked);
-    let signs: Vec<Sign> = all.entries().map(|e| e.sign.clone()).filter(|s| s.language == language).collect();
+    let signs: Vec<Sign> = lexicon().entries().map(|e| e.sign.clone()).filter(|s| s.language == language).collect();
     assert!(!signs.is_empty(), "no signs of {language}");
     signs
 }

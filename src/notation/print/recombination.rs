@@ -60,9 +60,18 @@ fn joined(parts: Vec<String>, by: &str, made: &Expression) -> String {
 
 /// A part in brackets where its text would run on. A part with operators after a group is bracketed already.
 fn part(made: &Expression, joins: bool, before_then: bool) -> String {
-    let open = before_then && made.operators.last().is_some_and(values);
+    let open = before_then && ends_open(made);
     let text = expression(made);
     if joins && made.operators.is_empty() || open { format!("( {text} )") } else { text }
+}
+
+/// Whether a `then` after it would join one more value.
+fn ends_open(made: &Expression) -> bool {
+    match (made.operators.last(), &made.base) {
+        (Some(last), _) => values(last),
+        (None, Base::Hands(_, weak)) => ends_open(weak),
+        (None, _) => false,
+    }
 }
 
 /// Whether an operator has values that go on after `then`.

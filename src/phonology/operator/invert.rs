@@ -13,7 +13,7 @@ use crate::phonology::movement::{Action, Clock, Manner, Motion, Movement, Repeti
 use crate::phonology::orientation::Orientation;
 use crate::phonology::placement::Placement;
 use crate::phonology::sign::{Hands, Keys, Manual, Sign};
-use crate::phonology::{Hand, Heading};
+use crate::phonology::{Direction, Hand, Heading};
 
 /// The sign backwards: configuration, placement, orientation, movement and contact.
 ///
@@ -74,7 +74,15 @@ fn targets_at_keys(own: &mut Manual) {
     let mut places: Vec<(usize, Placement)> = own.placement.iter().map(|(k, p)| (k, p.clone())).collect();
     for (interval, movement) in own.movement.iter_mut().enumerate() {
         let key = interval + 1;
-        let Some(target) = last_target(movement) else { continue };
+        // A way back leads to where an earlier key says.
+        let returned = match movement {
+            Movement::Action(action) => match action.motion {
+                Motion::Return { key } => places.iter().find(|(k, _)| *k == key).map(|(_, p)| p.clone()),
+                _ => None,
+            },
+            _ => None,
+        };
+        let Some(target) = last_target(movement).or(returned) else { continue };
         let stated = places.iter().find(|(k, _)| *k == key).map(|(_, p)| p.clone());
         let plain = matches!(movement, Movement::Action(action) if action.repetition.is_none());
         match stated {
@@ -246,18 +254,14 @@ fn runs_reversed<T: Clone>(keys: &Keys<T>, last: usize) -> Keys<T> {
 }
 
 /// Orientations with what each leaves open filled from those before it, then from those after it.
-fn filled(keys: &Keys<Orientation>) -> Keys<Orientation> {
+///
+/// Where the neighbour's direction would lie along the own one, the hand is turned by a right angle instead: a palm does
+/// not face along the fingers, and what is left open would be read as the neighbour's.
+pub(super) fn filled(keys: &Keys<Orientation>) -> Keys<Orientation> {
     let mut all: Vec<(usize, Orientation)> = keys.iter().map(|(key, o)| (key, *o)).collect();
     let fill = |into: &mut Orientation, from: Orientation| {
-        let full = Orientation { fingers: into.fingers.or(from.fingers), palm: into.palm.or(from.palm), ..*into };
-        // A palm cannot face along the fingers.
-        let possible = match (full.fingers, full.palm) {
-            (Some(f), Some(p)) => f.vector().cross(p.vector()).length() > 0.1,
-            _ => true,
-        };
-        if possible {
-            *into = full;
-        }
+        into.palm = into.palm.or_else(|| across(from.palm, into.fingers, from.fingers));
+        into.fingers = into.fingers.or_else(|| across(from.fingers, into.palm, from.palm));
     };
     for i in 1..all.len() {
         let before = all[i - 1].1;
@@ -268,4 +272,13 @@ fn filled(keys: &Keys<Orientation>) -> Keys<Orientation> {
         fill(&mut all[i - 1].1, after);
     }
     Keys::new(all).unwrap_or_default()
+}
+
+/// A direction to take over, unless it lies along `own`: then `instead`, or any direction across.
+fn across(wanted: Option<Heading>, own: Option<Heading>, instead: Option<Heading>) -> Option<Heading> {
+    let wanted = wanted?;
+    let Some(own) = own else { return Some(wanted) };
+    let is_across = |heading: &Heading| heading.vector().cross(own.vector()).length() > 0.1;
+    let any = || Direction::all().map(Heading::Toward).find(|heading| heading.vector().dot(own.vector()).abs() < 0.1);
+    Some(wanted).filter(is_across).or_else(|| instead.filter(is_across)).or_else(any)
 }

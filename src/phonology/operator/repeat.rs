@@ -3,10 +3,11 @@
 //! Where the hands do not end as they began, a way back comes between (the paper's "short slerp between the repeated
 //! instances"); its time is the gap. The number counts performances in all.
 
+use super::invert::filled;
 use super::{Tables, keys_of, manual_mut, scale};
 use crate::diagnostics::Error;
 use crate::phonology::movement_table::MovementTable;
-use crate::phonology::{Action, Hand, Keys, Manual, Motion, Movement, Placement, RepetitionKind, Sign};
+use crate::phonology::{Action, Hand, Keys, Manual, Motion, Movement, Orientation, Placement, RepetitionKind, Sign};
 use crate::time::Seconds;
 use glam::DVec3;
 
@@ -71,7 +72,7 @@ pub fn repeated(sign: &Sign, times: u8, gap: Option<Seconds>, growth: i8, tables
         let again = Again { step, performances, last: n };
         *manual_mut(&mut made, hand) = Manual {
             configuration: again.holding(&own.configuration),
-            orientation: again.holding(&own.orientation),
+            orientation: again.holding(&again_from_start(&own.orientation)),
             placement: again.at_keys(&own.placement),
             movement,
         };
@@ -92,6 +93,11 @@ pub fn repeated(sign: &Sign, times: u8, gap: Option<Seconds>, growth: i8, tables
         Seconds(d.0 * f64::from(times) + gaps)
     });
     Ok(made)
+}
+
+/// Orientations of which each is whole: what the first leaves open would be read as the last one's when it comes again.
+fn again_from_start(keys: &Keys<Orientation>) -> Keys<Orientation> {
+    if keys.len() < 2 { keys.clone() } else { filled(keys) }
 }
 
 /// How performances follow each other on the keys of the result.
