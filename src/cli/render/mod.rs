@@ -21,7 +21,7 @@ pub(super) struct Render {
     /// Files or folders of signs, names of signs, gloss lines, or - for standard input
     #[arg(value_name = "FILE|NAME|LINE", required = true)]
     what: Vec<String>,
-    /// Where to: a file (.html, .glb, .eaf, .csv, .svg), a folder (ending in /) for one file a sign, or - for standard output; repeatable
+    /// Where to: a file (.html, .glb, .bvh, .eaf, .csv, .svg), a folder (ending in /) for one file a sign, or - for standard output; repeatable
     #[arg(short, long, value_name = "OUT", required = true)]
     output: Vec<String>,
     /// Formats written into folders and to standard output
@@ -48,6 +48,12 @@ pub(super) struct Render {
     /// The paper's own procedure: the wrist is placed, it has no limits, the shoulder does not help
     #[arg(long)]
     paper: bool,
+    /// How much performances differ from their descriptions and from each other: 0 not at all, 1 visibly, up to 3
+    #[arg(long, value_name = "AMOUNT", default_value_t = 0.0)]
+    variation: f64,
+    /// Which of the possible performances, with --variation
+    #[arg(long, value_name = "N", default_value_t = 0)]
+    seed: u64,
     /// Overwrite files that are there
     #[arg(long)]
     force: bool,
@@ -98,6 +104,13 @@ impl Render {
         let fps = Fps::new(self.fps).ok_or_else(|| {
             Failure::Usage(format!("--fps {}: frames a second lie above 0 and up to {}", self.fps, Fps::MAX))
         })?;
-        Ok(Options { fps, easing: self.easing, speed: self.speed, paper: self.paper, ..Options::default() })
+        Ok(Options {
+            fps,
+            easing: self.easing,
+            speed: self.speed,
+            paper: self.paper,
+            variation: self.variation,
+            seed: self.seed,
+        })
     }
 }

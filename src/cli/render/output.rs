@@ -5,7 +5,7 @@ use super::Render;
 use super::input::Asked;
 use crate::avatar;
 use crate::diagnostics::Error;
-use crate::format::{csv, eaf, glb, html, profile_plot, svg};
+use crate::format::{bvh, csv, eaf, glb, html, profile_plot, svg};
 use crate::notation::Vocabulary;
 use crate::notation::vocabulary::Names;
 use crate::track::{PHASES, Track};
@@ -20,6 +20,8 @@ pub(super) enum Format {
     Html,
     /// Binary glTF 2.0: the avatar with its animation
     Glb,
+    /// Biovision motion capture: joints in centimetres, no face
+    Bvh,
     /// The tiers as ELAN annotations
     Eaf,
     /// Height and speed of the wrists, a row a frame
@@ -33,6 +35,7 @@ impl Format {
         match self {
             Format::Html => "html",
             Format::Glb => "glb",
+            Format::Bvh => "bvh",
             Format::Eaf => "eaf",
             Format::Csv => "csv",
             Format::Svg => "svg",
@@ -59,6 +62,7 @@ impl Format {
         match self {
             Format::Html => html::write(avatar::GLB, track, &asked.page).map(String::into_bytes),
             Format::Glb => glb::write(avatar::GLB, track),
+            Format::Bvh => bvh::write(&track.clip, &bvh::Options::default()).map(String::into_bytes),
             Format::Eaf => eaf::write(&track.tiers, &document(asked, vocabulary)).map(String::into_bytes),
             Format::Csv => {
                 let motion = profile_plot::Motion::of_track(&asked.name, track)?;
