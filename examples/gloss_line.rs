@@ -4,7 +4,6 @@
 
 use chereme::avatar;
 use chereme::diagnostics::Error;
-use chereme::notation::lexicon::embedded;
 use chereme::notation::{Lexicon, Vocabulary};
 use chereme::phonology::operator::Tables;
 use chereme::score::gloss::{Known, Settings, read};
@@ -14,10 +13,7 @@ use chereme::synthesis::{Grammar, Options, synthesize_plan};
 pub fn glosses() -> Result<String, Error> {
     let (grammar, vocabulary) = (Grammar::builtin(), Vocabulary::builtin());
     let tables = Tables { locations: &grammar.locations, movements: &grammar.movements };
-    let mut lexicon = Lexicon::default();
-    // What `add` and `link` find wrong in the texts stays in `checked`.
-    let mut checked = lexicon.add(embedded(), &vocabulary);
-    lexicon.link(&tables, &mut checked);
+    let lexicon = Lexicon::builtin();
     let known = Known { lexicon: &lexicon, vocabulary: &vocabulary, tables };
     let reading =
         read("BONJOUR, {brows raised: BOL@left} IX(BOL) CLAIR[inverted] fs(LSF)", &known, &Settings::default());

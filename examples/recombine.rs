@@ -3,16 +3,14 @@
 //! `cargo run --example recombine` prints their descriptions.
 
 use chereme::diagnostics::Error;
-use chereme::notation::lexicon::embedded;
-use chereme::notation::{Lexicon, Vocabulary, write};
+use chereme::notation::{Lexicon, write};
 use chereme::phonology::movement_table::MovementTable;
 use chereme::phonology::operator::{Operator, Tables, apply};
 use chereme::phonology::{Configuration, Forced, Keys, LocationInventory, Place, Relocation, Space};
 
 /// The snail of the lexicon and what is made from it, as `.sign` text.
 pub fn descriptions() -> Result<String, Error> {
-    let mut lexicon = Lexicon::default();
-    lexicon.add(embedded(), &Vocabulary::builtin());
+    let lexicon = Lexicon::builtin();
     let (locations, movements) = (LocationInventory::builtin(), MovementTable::embedded());
     let tables = Tables { locations: &locations, movements: &movements };
     let left = Place::Space(Space { left: 1, high: 0, far: 0 });

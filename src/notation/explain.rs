@@ -4,6 +4,7 @@
 
 mod french;
 mod french_movement;
+mod french_noun;
 mod phrases;
 
 use super::print::{expression, value};

@@ -138,6 +138,9 @@ fn list_and_explain_use_the_lexicon() {
     assert_eq!(one.out, "xyz  UN\n");
     let said = run(&folder.0, &["explain", "bol", "--language", "lsf"], "");
     assert!(said.out.contains("weak hand movement: mirrors the strong hand (symmetry)"), "{}", said.out);
+    let french = run(&folder.0, &["explain", "bol", "--language", "lsf", "--lang", "fr"], "");
+    assert!(french.out.contains("la main dominée, mouvement : en miroir de la main dominante"), "{}", french.out);
+    assert_eq!(run(&folder.0, &["explain", "bol", "--lang", "xx"], "").code, 2);
     let near = run(&folder.0, &["explain", "BLO", "--language", "lsf"], "");
     assert_eq!(near.code, 1);
     assert!(near.err.contains("did you mean `BOL`?"), "{}", near.err);

@@ -6,7 +6,7 @@
 use crate::signing::{perform, world};
 use chereme::diagnostics::render::render;
 use chereme::diagnostics::{Diagnostic, Source};
-use chereme::notation::lexicon::{Checked, embedded};
+use chereme::notation::lexicon::Checked;
 use chereme::notation::{Lexicon, read};
 use chereme::phonology::operator::Tables;
 use chereme::score::gloss::{self, Known, Settings};
@@ -54,13 +54,9 @@ fn tables() -> Tables<'static> {
 
 /// The lexicon with texts above it, and what is said of these.
 fn lexicon(above: Vec<Source>) -> (Lexicon, Vec<Checked>) {
-    let mut lexicon = Lexicon::default();
-    let mut below = lexicon.add(embedded(), &world().vocabulary);
+    let mut lexicon = Lexicon::builtin();
     let mut checked = lexicon.add(above, &world().vocabulary);
-    let own = checked.len();
-    checked.append(&mut below);
     lexicon.link(&tables(), &mut checked);
-    checked.truncate(own);
     (lexicon, checked)
 }
 
@@ -108,7 +104,7 @@ fn every_expression_of_the_tables_is_read() {
 
 #[test]
 fn every_gloss_line_is_read_and_signed() {
-    let (lexicon, _) = lexicon(Vec::new());
+    let lexicon = Lexicon::builtin();
     let known = Known { lexicon: &lexicon, vocabulary: &world().vocabulary, tables: tables() };
     let document = document();
     let all = blocks(&document).into_iter().filter(|b| b.mark == "gloss");

@@ -1,6 +1,6 @@
 //! Movements in French words: noun phrases, so that they join with `puis` and `et en même temps`.
 
-use super::french::{grows, heading, length, number, of_fingers, place, placement, towards};
+use super::french_noun::{grows, heading, length, number, of_fingers, place, placement, towards};
 use crate::phonology::{
     Action, Digits, Extent, LocationInventory, Manner, Motion, Movement, Overlay, Repetition, RepetitionKind, Size,
     WristMotion,
