@@ -6,8 +6,8 @@ use super::side_of;
 use super::timeline::Timeline;
 use crate::phonology::symmetry::{acts, resolve};
 use crate::phonology::{
-    Action, Channel, Configuration, Contact, ContactKind, Distance, Hand, HandshapeChange, Keys, Motion, Movement,
-    NonManual, NonManualValue, Orientation, Place, Placement, Side,
+    Action, Channel, Configuration, Contact, ContactKind, Distance, Extent, Hand, HandshapeChange, Keys, Motion,
+    Movement, NonManual, NonManualValue, Orientation, Place, Placement, Side, Size,
 };
 use crate::score::plan::{Act, Plan};
 use crate::tier::Tier;
@@ -170,13 +170,13 @@ fn placement_label(p: &Placement) -> String {
         };
         label += &format!(" {side}{}", if lateral.beside { " beside" } else { "" });
     }
-    label += match p.distance {
-        Distance::Unmarked => "",
-        Distance::Touch => ", touch",
-        Distance::Close => ", close",
-        Distance::Neutral => ", neutral",
-        Distance::Extended => ", extended",
-        Distance::Metres(_) => ", away",
+    label += &match p.distance {
+        Distance::Unmarked => String::new(),
+        Distance::Touch => ", touch".to_owned(),
+        Distance::Close => ", close".to_owned(),
+        Distance::Neutral => ", neutral".to_owned(),
+        Distance::Extended => ", extended".to_owned(),
+        Distance::Metres(metres) => format!(", {:.0}cm away", metres * 100.0),
     };
     label
 }
@@ -215,8 +215,8 @@ fn action_label(action: &Action) -> String {
         Motion::Change => "change".into(),
         Motion::Return { key: 0 } => "back".into(),
         Motion::Return { key } => format!("back to key {}", key + 1),
-        Motion::Straight { direction, .. } => direction.to_string(),
-        Motion::Arc { direction, .. } => format!("arc {direction}"),
+        Motion::Straight { direction, extent, .. } => format!("{direction}{}", extent_label(*extent)),
+        Motion::Arc { direction, extent, .. } => format!("arc {direction}{}", extent_label(*extent)),
         Motion::Circle { axis, .. } => format!("circle about {axis}"),
         Motion::Wrist(motion, _) => motion.name().into(),
         Motion::Wiggle(_) => "wiggle".to_string(),
@@ -228,6 +228,15 @@ fn action_label(action: &Action) -> String {
         label += &format!(" ×{}", repetition.times);
     }
     label
+}
+
+fn extent_label(extent: Extent) -> String {
+    match extent {
+        Extent::Size(Size::Small) => " small".into(),
+        Extent::Size(Size::Normal) => String::new(),
+        Extent::Size(Size::Large) => " large".into(),
+        Extent::Metres(metres) => format!(" {:.0}cm", metres * 100.0),
+    }
 }
 
 fn contact_label(c: &Contact) -> String {
