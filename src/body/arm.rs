@@ -9,7 +9,7 @@
 use crate::diagnostics::Error;
 use crate::motion::arm::{ArmAngles, ArmPose, ArmRest};
 use crate::motion::pose::LocalPose;
-use crate::motion::rotation::twist_share;
+use crate::motion::rotation::{twist_share, unit};
 use crate::motion::skeleton::{JointId, Skeleton};
 use crate::phonology::Side;
 use glam::{DMat3, DQuat, DVec3};
@@ -101,6 +101,13 @@ impl ArmRig {
     pub fn write_twist(&self, twist: f64, pose: &mut LocalPose) {
         for (joint, share) in &self.twists {
             pose.set(*joint, twist_share(self.rest.fore(), twist, *share));
+        }
+    }
+
+    /// Turns the forearm's skin joints further, by their share of a change of the forearm's turn (radians).
+    pub fn add_twist(&self, change: f64, pose: &mut LocalPose) {
+        for (joint, share) in &self.twists {
+            pose.set(*joint, unit(twist_share(self.rest.fore(), change, *share) * pose.rotation(*joint)));
         }
     }
 }

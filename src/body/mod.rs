@@ -1,9 +1,11 @@
 //! The signer's body: anatomical angles and named places on a rig.
 
 pub mod arm;
+pub mod channel;
 pub mod hand;
 pub mod hand_skin;
 mod landmark_table;
 pub mod landmarks;
+pub mod reflection;
 pub mod signer;
 pub mod skin;

@@ -1,8 +1,7 @@
 //! `chereme check`
 
 use super::{Failure, Sources, files, terminal, world};
-use crate::diagnostics::Severity;
-use crate::notation::Lexicon;
+use crate::diagnostics::{Severity, Source};
 use std::collections::HashMap;
 use std::path::PathBuf;
 
@@ -22,7 +21,8 @@ impl Check {
         let texts = files::read_all(&self.paths)?;
         let mut bytes: HashMap<String, _> =
             texts.iter().filter_map(|t| t.fault.clone().map(|f| (t.source.name.clone(), f))).collect();
-        let checked = Lexicon::default().add(texts.into_iter().map(|t| t.source), &vocabulary);
+        let texts: Vec<Source> = texts.into_iter().map(|t| t.source).collect();
+        let (_, checked) = world::with_texts(sources, &vocabulary, texts)?;
         let (mut signs, mut faults, mut warnings) = (0, 0, 0);
         for text in &checked {
             let mut all = text.diagnostics.clone();

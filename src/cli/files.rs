@@ -74,17 +74,32 @@ pub(super) fn collect(folder: &Path, depth: usize, files: &mut Vec<PathBuf>) -> 
 }
 
 fn read_file(path: &Path) -> Result<Text, Failure> {
+    let (source, fault) = source_of_bytes(&path.to_string_lossy(), &read_bytes(path)?);
+    Ok(Text { source, path: Some(path.to_owned()), fault })
+}
+
+/// Reads a file that is not too large.
+pub(super) fn read_bytes(path: &Path) -> Result<Vec<u8>, Failure> {
     let told = |e: std::io::Error| match e.kind() {
         std::io::ErrorKind::NotFound => Failure::Usage(format!("there is no file `{}`", path.display())),
         _ => Failure::Usage(format!("{}: {e}", path.display())),
     };
     let size = fs::metadata(path).map_err(told)?.len();
     if size > LARGEST {
-        return Err(Failure::Usage(format!("{}: more than 64 MiB is no file of signs", path.display())));
+        return Err(Failure::Usage(format!("{}: more than 64 MiB is not read", path.display())));
     }
-    let bytes = fs::read(path).map_err(told)?;
-    let (source, fault) = source_of_bytes(&path.to_string_lossy(), &bytes);
-    Ok(Text { source, path: Some(path.to_owned()), fault })
+    fs::read(path).map_err(told)
+}
+
+/// Makes the folder that a file is to stand in.
+pub(super) fn make_folder_of(path: &Path) -> Result<(), Failure> {
+    match path.parent().filter(|f| !f.as_os_str().is_empty()) {
+        Some(folder) => {
+            let made = fs::create_dir_all(folder);
+            made.map_err(|e| Failure::Faults(Some(format!("{}: {e}", folder.display()))))
+        }
+        None => Ok(()),
+    }
 }
 
 /// Writes a file whole or not at all: first beside it, then renamed over it.

@@ -7,9 +7,12 @@ mod check;
 mod explain;
 mod files;
 mod format;
+mod gloss;
 mod list;
 mod new;
+mod profile;
 mod render;
+mod signs;
 mod terminal;
 mod world;
 
@@ -23,7 +26,7 @@ use std::process::ExitCode;
     name = "chereme",
     version,
     arg_required_else_help = true,
-    after_help = "Examples:\n  chereme render BOL -o bol.html            see it signed, in a browser\n  chereme new BOL -o lexicon/lsf/bol.sign   begin a sign\n  chereme check lexicon                     find its faults\n  chereme fmt lexicon                       lay it out\n  chereme explain BOL                       say it in plain words\n\nExit codes: 0 fine, 1 faults found, 2 wrong usage."
+    after_help = "Examples:\n  chereme render BOL -o bol.html            see it signed, in a browser\n  chereme render \"BONJOUR, CHIEN BOL@left\" -o line.html\n                                            a line of glosses, as one motion\n  chereme new BOL -o lexicon/lsf/bol.sign   begin a sign\n  chereme check lexicon                     find its faults\n  chereme fmt lexicon                       lay it out\n  chereme explain BOL                       say it in plain words\n\nExit codes: 0 fine, 1 faults found, 2 wrong usage."
 )]
 struct Cli {
     #[command(flatten)]
@@ -48,6 +51,8 @@ pub(crate) struct Sources {
 enum Command {
     /// Turn signs into motion: a page to look at, or a file for other programs
     Render(render::Render),
+    /// Measure motions: speeds, heights, fingertips over time, as tables and figures, and against golden ones
+    Profile(Box<profile::ProfileArgs>),
     /// Find the faults of signs
     Check(check::Check),
     /// Lay signs out: two spaces before a tier, values in one column, comments kept
@@ -80,6 +85,7 @@ pub fn run() -> ExitCode {
     let cli = Cli::parse();
     let done = match cli.command {
         Command::Render(render) => render.run(&cli.sources),
+        Command::Profile(profile) => profile.run(&cli.sources),
         Command::Check(check) => check.run(&cli.sources),
         Command::Fmt(format) => format.run(),
         Command::List(list) => list.run(&cli.sources),

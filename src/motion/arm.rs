@@ -218,13 +218,7 @@ pub fn orient(rest: &ArmRest, parent: DQuat, arm: [DVec3; 3], hand: DQuat, hint:
 
 /// The elbow's axis in model space: across both bones, or the hint's where they are in line.
 fn hinge(rest: &ArmRest, parent: DQuat, upper: DVec3, fore: DVec3, hint: Option<ArmHint>) -> DVec3 {
-    let normal = upper.cross(fore);
-    let seen = normal.length();
-    let weight = ((seen - ROLL_HIDDEN.sin()) / (ROLL_SEEN.sin() - ROLL_HIDDEN.sin())).clamp(0.0, 1.0);
-    if weight == 1.0 {
-        return normal / seen;
-    }
-    let kept = match hint.and_then(|h| direction(h.hinge_model)) {
+    seen_or(upper, fore, || match hint.and_then(|h| direction(h.hinge_model)) {
         Some(previous) => perpendicular(previous, upper),
         // Without a past, the roll of the least rotation from rest.
         None => {
@@ -232,7 +226,19 @@ fn hinge(rest: &ArmRest, parent: DQuat, upper: DVec3, fore: DVec3, hint: Option<
             let swing = shortest_arc(at_rest, upper, parent * rest.hinge);
             perpendicular(swing * (parent * rest.hinge), upper)
         }
-    };
+    })
+}
+
+/// The unit vector across two bones; as they come in line it passes to the `kept` one, which is perpendicular to
+/// the first of them.
+pub(super) fn seen_or(upper: DVec3, fore: DVec3, kept: impl FnOnce() -> DVec3) -> DVec3 {
+    let normal = upper.cross(fore);
+    let seen = normal.length();
+    let weight = ((seen - ROLL_HIDDEN.sin()) / (ROLL_SEEN.sin() - ROLL_HIDDEN.sin())).clamp(0.0, 1.0);
+    if weight == 1.0 {
+        return normal / seen;
+    }
+    let kept = kept();
     if weight == 0.0 {
         return kept;
     }
@@ -241,7 +247,7 @@ fn hinge(rest: &ArmRest, parent: DQuat, upper: DVec3, fore: DVec3, hint: Option<
 }
 
 /// The rotation that takes one pair of perpendicular unit vectors to another.
-fn frame_to_frame(from: (DVec3, DVec3), to: (DVec3, DVec3)) -> DQuat {
+pub(super) fn frame_to_frame(from: (DVec3, DVec3), to: (DVec3, DVec3)) -> DQuat {
     let from = DMat3::from_cols(from.0, from.1, from.0.cross(from.1));
     let to = DMat3::from_cols(to.0, to.1, to.0.cross(to.1));
     unit(DQuat::from_mat3(&(to * from.transpose())))

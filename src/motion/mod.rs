@@ -8,9 +8,13 @@
 //! to the floor between the feet. The two are different types ([`pose::LocalPose`], [`pose::ModelPose`]).
 
 pub mod arm;
+pub mod carry;
 pub mod clip;
+pub mod curve;
+pub mod difference;
 pub mod easing;
 pub mod fabrik;
+pub mod point;
 pub mod pose;
 pub mod profile;
 pub mod reach;

@@ -48,6 +48,40 @@ struct JointRow {
 }
 
 impl Skeleton {
+    /// A rig of joints, in their order: the root first, parents before their children.
+    ///
+    /// # Errors
+    /// No joint, more than `u16` numbers, a name used twice, no root or several, a parent that does not come before, a
+    /// position that is not finite.
+    ///
+    /// ```
+    /// use chereme::motion::skeleton::{Joint, JointId, Skeleton};
+    /// use glam::DVec3;
+    /// let joint = |name: &str, parent| Joint { name: name.into(), parent, rest_model: DVec3::Y, tail_model: DVec3::Y };
+    /// assert!(Skeleton::new(vec![joint("Hips", None), joint("Spine", Some(JointId(0)))]).is_ok());
+    /// assert!(Skeleton::new(vec![joint("Hips", None), joint("Spine", Some(JointId(1)))]).is_err());
+    /// ```
+    pub fn new(joints: Vec<Joint>) -> Result<Skeleton, Error> {
+        let roots = joints.iter().filter(|j| j.parent.is_none()).count();
+        if roots != 1 {
+            return Err(Error::new(format!("a skeleton has one root, this one has {roots}")));
+        }
+        let mut by_name = HashMap::with_capacity(joints.len());
+        for (at, joint) in joints.iter().enumerate() {
+            let id = next_id(&joints[..at])?;
+            if by_name.insert(joint.name.clone(), id).is_some() {
+                return Err(Error::new(format!("joint {} is listed twice", joint.name)));
+            }
+            if joint.parent.is_some_and(|p| p.index() >= at) {
+                return Err(Error::new(format!("joint {} comes before its parent", joint.name)));
+            }
+            if !(joint.rest_model.is_finite() && joint.tail_model.is_finite()) {
+                return Err(Error::new(format!("joint {} has a position that is not finite", joint.name)));
+            }
+        }
+        Ok(Skeleton { joints, by_name })
+    }
+
     /// Reads the rig from `avatar.skeleton.json`: `{name: {parent, pos, tail}}`, metres, parents anywhere.
     ///
     /// # Errors
@@ -73,15 +107,14 @@ impl Skeleton {
                         }
                     },
                 };
-                let id = u16::try_from(joints.len()).map(JointId).map_err(|_| Error::new("too many joints"))?;
-                if by_name.insert(name.clone(), id).is_some() {
-                    return Err(Error::new(format!("joint {name} is listed twice")));
-                }
-                let joint = Joint { name, parent, rest_model: DVec3::from(row.pos), tail_model: DVec3::from(row.tail) };
-                if !(joint.rest_model.is_finite() && joint.tail_model.is_finite()) {
-                    return Err(Error::new(format!("joint {} has a position that is not finite", joint.name)));
-                }
-                joints.push(joint);
+                let id = next_id(&joints)?;
+                by_name.insert(name.clone(), id);
+                joints.push(Joint {
+                    name,
+                    parent,
+                    rest_model: DVec3::from(row.pos),
+                    tail_model: DVec3::from(row.tail),
+                });
             }
             if later.len() == before {
                 let (name, row) = &later[0];
@@ -90,10 +123,7 @@ impl Skeleton {
             }
             left = later;
         }
-        match joints.iter().filter(|j| j.parent.is_none()).count() {
-            1 => Ok(Skeleton { joints, by_name }),
-            n => Err(Error::new(format!("a skeleton has one root, this one has {n}"))),
-        }
+        Skeleton::new(joints)
     }
 
     /// The joints, parents before children.
@@ -141,6 +171,11 @@ impl std::ops::Index<JointId> for Skeleton {
     fn index(&self, id: JointId) -> &Joint {
         &self.joints[id.index()]
     }
+}
+
+/// The number of the joint after these; their count too is a `u16`.
+fn next_id(joints: &[Joint]) -> Result<JointId, Error> {
+    u16::try_from(joints.len()).ok().filter(|n| *n < u16::MAX).map(JointId).ok_or_else(|| Error::new("too many joints"))
 }
 
 /// A JSON object read in the order it is written, so that joint numbers follow the file.

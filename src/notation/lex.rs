@@ -1,10 +1,11 @@
 //! Lines and words: the text cut into tokens, with comments apart.
 //!
 //! A line is words, texts in double quotes, and the marks `, ( ) =`. A `#` outside a text begins a comment.
+//! Gloss lines have more marks and no comments.
 
 use crate::diagnostics::{Diagnostic, Span};
 use nom::branch::alt;
-use nom::bytes::complete::{take_till1, take_while1};
+use nom::bytes::complete::take_while1;
 use nom::character::complete::{char, one_of};
 use nom::combinator::{map, recognize};
 use nom::{IResult, Parser};
@@ -24,6 +25,17 @@ pub(crate) enum Kind {
     Close,
     /// `=`
     Equals,
+    /// A mark of gloss lines alone: one of `@ + [ ] { } < > & : . #`, and `/` for `//`.
+    Mark(char),
+}
+
+/// Which marks cut a text into tokens.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Dialect {
+    /// Descriptions of signs.
+    Sign,
+    /// Gloss lines.
+    Gloss,
 }
 
 /// A token of a line.
@@ -63,7 +75,7 @@ pub(crate) fn lines(text: &str) -> impl Iterator<Item = (usize, &str)> {
 ///
 /// # Errors
 /// A text without its closing quote, or a control character.
-pub(crate) fn lex(line: &str, offset: usize) -> Result<LexedLine<'_>, Box<Diagnostic>> {
+pub(crate) fn lex(line: &str, offset: usize, dialect: Dialect) -> Result<LexedLine<'_>, Box<Diagnostic>> {
     let mut rest = line;
     let mut tokens = Vec::with_capacity(8);
     loop {
@@ -72,10 +84,12 @@ pub(crate) fn lex(line: &str, offset: usize) -> Result<LexedLine<'_>, Box<Diagno
         if rest.is_empty() {
             return Ok(LexedLine { tokens, comment: None });
         }
-        if let Some(comment) = rest.strip_prefix('#') {
+        if dialect == Dialect::Sign
+            && let Some(comment) = rest.strip_prefix('#')
+        {
             return Ok(LexedLine { tokens, comment: Some(comment.trim()) });
         }
-        let Ok((after, (kind, text))) = token(rest) else { return Err(unreadable(rest, at)) };
+        let Ok((after, (kind, text))) = token(rest, dialect) else { return Err(unreadable(rest, at)) };
         if kind == Kind::Word
             && let Some(bad) = text.find(char::is_control)
         {
@@ -90,16 +104,50 @@ fn is_space(c: char) -> bool {
     c.is_whitespace()
 }
 
-fn token(rest: &str) -> IResult<&str, (Kind, &str)> {
+fn token(rest: &str, dialect: Dialect) -> IResult<&str, (Kind, &str)> {
+    if dialect == Dialect::Gloss
+        && let Some((c, length)) = gloss_mark(rest)
+    {
+        return Ok((&rest[length..], (Kind::Mark(c), &rest[..length])));
+    }
     alt((
         map(recognize(char(',')), |t| (Kind::Comma, t)),
         map(recognize(char('(')), |t| (Kind::Open, t)),
         map(recognize(char(')')), |t| (Kind::Close, t)),
         map(recognize(char('=')), |t| (Kind::Equals, t)),
         map(quoted, |t| (Kind::Text, t)),
-        map(take_till1(|c: char| is_space(c) || ",()=\"#".contains(c)), |t| (Kind::Word, t)),
+        map(|rest| word(rest, dialect), |t| (Kind::Word, t)),
     ))
     .parse(rest)
+}
+
+fn word(rest: &str, dialect: Dialect) -> IResult<&str, &str> {
+    let ends = |at: usize, c: char| {
+        is_space(c) || ",()=\"#".contains(c) || dialect == Dialect::Gloss && gloss_mark(&rest[at..]).is_some()
+    };
+    match rest.char_indices().find(|&(at, c)| ends(at, c)) {
+        Some((0, _)) => Err(nom::Err::Error(nom::error::Error::new(rest, nom::error::ErrorKind::TakeTill1))),
+        Some((at, _)) => Ok((&rest[at..], &rest[..at])),
+        None => Ok((&rest[rest.len()..], rest)),
+    }
+}
+
+/// A mark of gloss lines at the front, and its length in bytes. `+`, `:` and `.` before a digit belong to a number
+/// (`+1.4`, `1:30`, `.5`), a point before a letter to a name (`GIVE.TO`).
+pub(crate) fn gloss_mark(rest: &str) -> Option<(char, usize)> {
+    let mut chars = rest.chars();
+    let first = chars.next()?;
+    let next = chars.next().unwrap_or(' ');
+    let then_digit = |rest: std::str::Chars| rest.as_str().starts_with(|c: char| c.is_ascii_digit());
+    let is_mark = match first {
+        '@' | '[' | ']' | '{' | '}' | '<' | '>' | '&' | '#' => true,
+        '+' => !(next.is_ascii_digit() || next == '.' && then_digit(chars)),
+        ':' => !next.is_ascii_digit(),
+        '.' => !next.is_alphanumeric(),
+        '/' => next == '/',
+        _ => false,
+    };
+    is_mark.then_some((first, if first == '/' { 2 } else { 1 }))
 }
 
 /// A text with its quotes; `\` takes the next character as it is.

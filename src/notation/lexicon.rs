@@ -3,12 +3,22 @@
 //! Sources are layered (the program's own signs, then `--lexicon` folders): an entry of a later source replaces
 //! that of an earlier one with the same name and language. Within one source a name stands once.
 
+mod link;
+
 use super::read::{Reading, read};
 use super::vocabulary::Vocabulary;
 use crate::diagnostics::{Diagnostic, Error, Source, Span};
+use crate::phonology::LocationInventory;
 use crate::phonology::Sign;
 use crate::phonology::grammar::fold;
+use crate::phonology::movement_table::MovementTable;
+use crate::phonology::operator::Tables;
+use crate::phonology::recombination::Recombination;
+use link::Unmade;
 use std::collections::BTreeMap;
+
+/// Language and folded name.
+type Key = (String, String);
 
 /// A sign and where it was found.
 #[derive(Debug, Clone, PartialEq)]
@@ -23,6 +33,8 @@ pub struct Entry {
     pub is_letter: bool,
     /// The number of its source, from 0.
     pub layer: usize,
+    /// What it is made from, where it is made from other signs.
+    pub derived: Option<Recombination>,
     span: Span,
 }
 
@@ -41,7 +53,9 @@ pub struct Checked {
 #[derive(Debug, Clone, Default)]
 pub struct Lexicon {
     /// By language and folded name; a name of an alphabet is kept apart from a sign of the same name.
-    entries: BTreeMap<(String, String), Entry>,
+    entries: BTreeMap<Key, Entry>,
+    /// What is still to be made from other signs.
+    unmade: BTreeMap<Key, Unmade>,
     layers: usize,
 }
 
@@ -67,7 +81,22 @@ fn is_alphabet(path: &str) -> bool {
 }
 
 impl Lexicon {
-    /// Adds the files of one source, above the sources added before. Signs without faults are taken.
+    /// The signs that come with the program, those made from others among them.
+    ///
+    /// ```
+    /// use chereme::notation::Lexicon;
+    /// assert!(Lexicon::builtin().find("FONCÉ", Some("lsf")).is_ok());
+    /// ```
+    pub fn builtin() -> Lexicon {
+        let (locations, movements) = (LocationInventory::builtin(), MovementTable::embedded());
+        let mut lexicon = Lexicon::default();
+        let mut checked = lexicon.add(embedded(), &Vocabulary::builtin());
+        lexicon.link(&Tables { locations: &locations, movements: &movements }, &mut checked);
+        lexicon
+    }
+
+    /// Adds the files of one source, above the sources added before. Signs without faults are taken; those that are made from
+    /// others wait for [`Lexicon::link`].
     ///
     /// ```
     /// use chereme::diagnostics::Source;
@@ -80,12 +109,16 @@ impl Lexicon {
         let layer = self.layers;
         self.layers += 1;
         let mut all = Vec::new();
-        let mut found: BTreeMap<(String, String), Entry> = BTreeMap::new();
+        let mut found = Found::default();
         for source in sources {
             let reading = read(&source.text, vocabulary, language_of_path(&source.name));
             all.push(take(source, reading, layer, &mut found));
         }
-        self.entries.append(&mut found);
+        // The later source replaces, whichever way a sign is described.
+        self.entries.retain(|key, _| !found.unmade.contains_key(key));
+        self.unmade.retain(|key, _| !found.entries.contains_key(key));
+        self.entries.append(&mut found.entries);
+        self.unmade.append(&mut found.unmade);
         all
     }
 
@@ -94,10 +127,8 @@ impl Lexicon {
     /// # Errors
     /// No sign of that name (with the nearest), or several languages that have one (listing them).
     pub fn find(&self, name: &str, language: Option<&str>) -> Result<&Entry, Error> {
-        let folded = fold(name);
         let wanted = |entry: &&Entry| language.is_none_or(|l| entry.sign.language.eq_ignore_ascii_case(l));
-        let hits: Vec<&Entry> =
-            self.entries.iter().filter(|((_, n), _)| *n == folded).map(|(_, e)| e).filter(wanted).collect();
+        let hits: Vec<&Entry> = self.of_name(name).filter(wanted).collect();
         match hits.as_slice() {
             [one] => Ok(one),
             [] => {
@@ -113,6 +144,12 @@ impl Lexicon {
                 Err(Error::new(format!("`{name}` is a sign of several languages, say which: {}", all.join(", "))))
             }
         }
+    }
+
+    /// The signs of a name, one a language at most.
+    pub fn of_name(&self, name: &str) -> impl Iterator<Item = &Entry> {
+        let folded = fold(name);
+        self.entries.iter().filter(move |((_, n), _)| *n == folded).map(|(_, e)| e)
     }
 
     /// A letter of a language's alphabet.
@@ -142,28 +179,57 @@ impl Lexicon {
     }
 }
 
+/// What one source describes.
+#[derive(Default)]
+struct Found {
+    entries: BTreeMap<Key, Entry>,
+    unmade: BTreeMap<Key, Unmade>,
+}
+
+impl Found {
+    /// Where a sign of that name stands already.
+    fn first(&self, key: &Key) -> Option<(&str, usize, Span)> {
+        let entry = self.entries.get(key).map(|e| (e.path.as_str(), e.line, e.span));
+        entry.or_else(|| self.unmade.get(key).map(|u| (u.path.as_str(), u.line, u.derived.name_span)))
+    }
+}
+
 /// Takes the signs of a file, with a fault for a name met before in the same source.
-fn take(source: Source, reading: Reading, layer: usize, found: &mut BTreeMap<(String, String), Entry>) -> Checked {
+fn take(source: Source, reading: Reading, layer: usize, found: &mut Found) -> Checked {
     let mut diagnostics = reading.diagnostics;
     let mut signs = 0;
+    let is_letter = is_alphabet(&source.name);
+    let described = reading.signs.into_iter().map(|l| (l.name_span, Ok(l.sign)));
+    let derived = reading.derived.into_iter().map(|d| (d.name_span, Err(d)));
+    let mut all: Vec<_> = described.chain(derived).collect();
+    all.sort_by_key(|(span, _)| span.start);
     // Line numbers by one walk through the text, not one for each sign.
     let (mut walked, mut line) = (0, 1);
-    for lowered in reading.signs {
-        let upto = lowered.name_span.start.min(source.text.len());
+    for (span, described) in all {
+        let upto = span.start.min(source.text.len());
         line += source.text.as_bytes()[walked..upto].iter().filter(|b| **b == b'\n').count();
         walked = upto;
-        let key = (lowered.sign.language.to_lowercase(), fold(&lowered.sign.name));
-        if let Some(first) = found.get(&key) {
-            let fault = Diagnostic::fault(lowered.name_span, format!("`{}` is described twice", lowered.sign.name));
-            let fault = fault.label("the second").hint(format!("the first is {}:{}", first.path, first.line));
-            let here = first.path == source.name;
-            diagnostics.push(if here { fault.related(first.span, "the first") } else { fault });
+        let own: &Sign = match &described {
+            Ok(sign) => sign,
+            Err(derived) => &derived.own,
+        };
+        let key = (own.language.to_lowercase(), fold(&own.name));
+        if let Some((path, first, there)) = found.first(&key) {
+            let fault = Diagnostic::fault(span, format!("`{}` is described twice", own.name));
+            let fault = fault.label("the second").hint(format!("the first is {path}:{first}"));
+            diagnostics.push(if path == source.name { fault.related(there, "the first") } else { fault });
             continue;
         }
-        signs += 1;
-        let is_letter = is_alphabet(&source.name);
         let path = source.name.clone();
-        found.insert(key, Entry { sign: lowered.sign, path, line, is_letter, layer, span: lowered.name_span });
+        match described {
+            Ok(sign) => {
+                signs += 1;
+                found.entries.insert(key, Entry { sign, path, line, is_letter, layer, derived: None, span });
+            }
+            Err(derived) => {
+                found.unmade.insert(key, Unmade { derived, path, line, is_letter, layer });
+            }
+        }
     }
     diagnostics.sort_by_key(|d| d.span.start);
     Checked { source, diagnostics, signs }

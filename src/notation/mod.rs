@@ -11,6 +11,7 @@
 //! Names of signs are NFC; names are compared without regard to case. This module touches no files.
 
 pub mod explain;
+pub mod gloss;
 mod lex;
 pub mod lexicon;
 pub mod lower;
@@ -22,11 +23,11 @@ pub mod suggest;
 pub mod syntax;
 pub mod vocabulary;
 
-pub use explain::explain;
+pub use explain::{Tongue, explain, explain_derived, explain_in};
 pub use lexicon::{Entry, Lexicon};
-pub use lower::{Lowered, lower};
+pub use lower::{Derived, Lowered, Lowering, lower};
 pub use parse::parse;
 pub use print::print;
-pub use raise::{raise, write};
-pub use read::{Reading, read, source_of_bytes};
+pub use raise::{raise, write, write_derived};
+pub use read::{Reading, operators, read, source_of_bytes};
 pub use vocabulary::{Names, Vocabulary};

@@ -3,7 +3,8 @@
 //! A sign's tiers stand two spaces in, their values in one column; comments stay where they were, single blank
 //! lines too. Printing what was just printed changes nothing.
 
-mod words;
+pub(crate) mod recombination;
+pub(crate) mod words;
 
 use super::lex::quote;
 use super::syntax::{Content, File, Line, TierLine, Value};
@@ -13,6 +14,7 @@ use words::{
     relocation, values,
 };
 
+pub(crate) use recombination::expression;
 pub use words::movement_text;
 
 /// The column of the values, from the left, where no keyword is longer: `configuration` and two spaces.
@@ -38,9 +40,10 @@ pub fn print(file: &File) -> String {
             None => String::new(),
             Some(Content::Broken { .. }) => continue,
             Some(Content::Language(name)) => format!("language {}", name.value),
-            Some(Content::Sign(name)) => {
+            Some(Content::Sign(name, made)) => {
                 width = width_of_sign(&file.lines[i + 1..]);
-                format!("sign {}", sign_name(&name.value))
+                let made = made.as_ref().map(|made| format!(" = {}", expression(made))).unwrap_or_default();
+                format!("sign {}{made}", sign_name(&name.value))
             }
             Some(Content::Tier(tier)) => {
                 let keyword = keyword(tier);
@@ -82,14 +85,14 @@ fn is_comment(line: &Line) -> bool {
 /// Whether these lines begin with a `sign` line, or comments right before one.
 fn heads_sign(lines: &[Line]) -> bool {
     let next = lines.iter().find(|l| !is_comment(l));
-    next.is_some_and(|l| matches!(l.content, Some(Content::Sign(_))))
+    next.is_some_and(|l| matches!(l.content, Some(Content::Sign(..))))
 }
 
 /// Whether a comment stands among the tiers of a sign.
 fn in_body(file: &File, at: usize, after_blank: bool) -> bool {
     let before = file.lines[..at].iter().rev().find(|l| l.content.is_some());
     let after = file.lines[at..].iter().find(|l| l.content.is_some());
-    let inside = matches!(before.and_then(|l| l.content.as_ref()), Some(Content::Sign(_) | Content::Tier(_)));
+    let inside = matches!(before.and_then(|l| l.content.as_ref()), Some(Content::Sign(..) | Content::Tier(_)));
     let tier_follows = matches!(after.and_then(|l| l.content.as_ref()), Some(Content::Tier(_)));
     // After a blank line with no tier to come it is a remark between signs; comments in a row stand alike.
     let row = file.lines[..at].iter().rev().take_while(|l| is_comment(l)).count();
@@ -104,7 +107,7 @@ fn is_blank(line: &Line) -> bool {
 /// The width of the longest keyword up to the next sign.
 fn width_of_sign(lines: &[Line]) -> usize {
     let tiers = lines.iter().map_while(|line| match &line.content {
-        Some(Content::Sign(_)) => None,
+        Some(Content::Sign(..)) => None,
         Some(Content::Tier(tier)) => Some(keyword(tier).len()),
         _ => Some(0),
     });

@@ -6,6 +6,8 @@ use super::syntax::{
     Values,
 };
 use crate::diagnostics::{Span, Spanned};
+use crate::phonology::operator::Operator;
+use crate::phonology::recombination::{Base, Recombination};
 use crate::phonology::{
     Action, Attested, Configuration, Contact, Distance, Extent, Hand, Hands, Keys, Manual, Motion, Movement, NonManual,
     NonManualValue, Orientation, Place, Placement, Sign,
@@ -23,13 +25,27 @@ pub fn write(sign: &Sign) -> String {
     super::print(&raise(sign))
 }
 
+/// A sign made from others as text.
+///
+/// ```
+/// use chereme::notation::write_derived;
+/// use chereme::phonology::operator::Operator;
+/// use chereme::phonology::recombination::{Base, Recombination};
+/// let from = Recombination { base: Base::Named("CLAIR".into()), operators: vec![Operator::Inverted] };
+/// assert_eq!(write_derived("FONCÉ", &from), "sign FONCÉ = CLAIR inverted\n");
+/// ```
+pub fn write_derived(name: &str, from: &Recombination) -> String {
+    let content = Content::Sign(plain(name.to_owned()), Some(expression(from)));
+    super::print(&File { lines: vec![line(content)] })
+}
+
 /// What one would write to say this sign: the shortest form, each tier on its line.
 pub fn raise(sign: &Sign) -> File {
     let mut lines = Vec::new();
     if !sign.language.is_empty() {
         lines.push(line(Content::Language(plain(sign.language.clone()))));
     }
-    lines.push(line(Content::Sign(plain(sign.name.clone()))));
+    lines.push(line(Content::Sign(plain(sign.name.clone()), None)));
     let n = sign.intervals;
     let mut say = |hand: Option<Hand>, value: Value| {
         lines.push(line(Content::Tier(TierLine { hand, keyword: Ignored::default(), value })));
@@ -100,6 +116,43 @@ pub fn raise(sign: &Sign) -> File {
         say(None, Value::At(syntax::Relocation { place: place(&to.place), forced: to.forced }));
     }
     File { lines }
+}
+
+/// What one would write for a sign made from others.
+pub(crate) fn expression(of: &Recombination) -> syntax::Expression {
+    let base = match &of.base {
+        Base::Named(name) => syntax::Base::Named(plain(name.clone())),
+        Base::Spelled(word) => syntax::Base::Spelled(word.clone()),
+        Base::Pointing(at) => syntax::Base::Pointing(place(at)),
+        Base::WristAt(point) => syntax::Base::WristAt(point.to_array()),
+        Base::Chain(parts) => syntax::Base::Chain(parts.iter().map(expression).collect()),
+        Base::Hands(strong, weak) => syntax::Base::Hands(Box::new(expression(strong)), Box::new(expression(weak))),
+    };
+    syntax::Expression { base, operators: of.operators.iter().map(operator).collect() }
+}
+
+fn operator(v: &Operator) -> syntax::Operator {
+    fn all<T, U>(keys: &Keys<T>, one: impl Fn(&T) -> U) -> Vec<U> {
+        keys.iter().map(|(_, value)| one(value)).collect()
+    }
+    match v {
+        Operator::Inverted => syntax::Operator::Inverted,
+        Operator::InvertedMovement => syntax::Operator::InvertedMovement,
+        Operator::Mirrored => syntax::Operator::Mirrored,
+        Operator::Swapped => syntax::Operator::Swapped,
+        Operator::Reflected => syntax::Operator::Reflected,
+        Operator::Repeated { times, gap, growth } => {
+            syntax::Operator::Repeated { times: *times, gap: gap.map(|gap| duration(gap.0)), growth: *growth }
+        }
+        Operator::Configuration(hand, v) => syntax::Operator::Configuration(*hand, all(v, configuration)),
+        Operator::Orientation(hand, v) => syntax::Operator::Orientation(*hand, all(v, orientation)),
+        Operator::Placement(hand, v) => syntax::Operator::Placement(*hand, all(v, placement)),
+        Operator::Movement(hand, v) => syntax::Operator::Movement(*hand, v.iter().map(movement).collect()),
+        Operator::NonManual(channel, v) => syntax::Operator::NonManual(*channel, all(v, nonmanual)),
+        Operator::At(to) => syntax::Operator::At(syntax::Relocation { place: place(&to.place), forced: to.forced }),
+        Operator::Speed(factor) => syntax::Operator::Speed(*factor),
+        Operator::Size(factor) => syntax::Operator::Size(*factor),
+    }
 }
 
 fn line(content: Content) -> Line {

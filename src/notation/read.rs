@@ -1,10 +1,12 @@
 //! From a whole text, or any bytes, to signs.
 
-use super::lower::{Lowered, lower};
+use super::lower::{Derived, Lowered, lower};
 use super::parse::parse;
+use super::parse::recombination::operators_of;
 use super::syntax::File;
 use super::vocabulary::Vocabulary;
 use crate::diagnostics::{Diagnostic, Severity, Source, Span};
+use crate::phonology::operator::Operator;
 
 /// What a text holds.
 #[derive(Debug, Clone, Default)]
@@ -13,6 +15,8 @@ pub struct Reading {
     pub file: File,
     /// The signs without faults, in the order they were written.
     pub signs: Vec<Lowered>,
+    /// The signs without faults that are made from others; a [`Lexicon`](super::Lexicon) looks those up.
+    pub derived: Vec<Derived>,
     /// All faults and warnings, by their place in the text.
     pub diagnostics: Vec<Diagnostic>,
 }
@@ -35,9 +39,33 @@ impl Reading {
 /// ```
 pub fn read(text: &str, vocabulary: &Vocabulary, language: &str) -> Reading {
     let (file, mut diagnostics) = parse(text);
-    let signs = lower(&file, vocabulary, language, &mut diagnostics);
+    let lowering = lower(&file, vocabulary, language, &mut diagnostics);
     diagnostics.sort_by_key(|d| d.span.start);
-    Reading { file, signs, diagnostics }
+    Reading { file, signs: lowering.signs, derived: lowering.derived, diagnostics }
+}
+
+/// Reads a list of operators that stands alone, such as the one between the brackets of a gloss. `offset` is where it begins in its
+/// source; `language` is that of the handshapes it names.
+///
+/// # Errors
+/// Every fault, with its place in the source.
+///
+/// ```
+/// use chereme::notation::{Vocabulary, operators};
+/// use chereme::phonology::operator::Operator;
+/// let all = operators("inverted, with configuration U, big", 0, &Vocabulary::builtin(), "lsf").unwrap();
+/// assert_eq!((all.len(), &all[0], &all[2]), (3, &Operator::Inverted, &Operator::Size(1.4)));
+/// ```
+pub fn operators(
+    text: &str,
+    offset: usize,
+    vocabulary: &Vocabulary,
+    language: &str,
+) -> Result<Vec<Operator>, Vec<Diagnostic>> {
+    let written = operators_of(text, offset).map_err(|fault| vec![*fault])?;
+    let mut faults = Vec::new();
+    let all = super::lower::operators(&written, vocabulary, language, &mut faults);
+    if faults.is_empty() { Ok(all) } else { Err(faults) }
 }
 
 /// A source of any bytes: what is not UTF-8 is replaced, with a fault at the first such byte.

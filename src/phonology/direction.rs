@@ -59,6 +59,11 @@ impl Direction {
         Direction::all().max_by(|a, b| a.vector().dot(unit).total_cmp(&b.vector().dot(unit)))
     }
 
+    /// −1, 0 or 1 along left, up and out.
+    pub fn signs(self) -> [i8; 3] {
+        [self.left, self.up, self.out]
+    }
+
     /// The opposite direction.
     pub fn opposite(self) -> Direction {
         Direction { left: -self.left, up: -self.up, out: -self.out }

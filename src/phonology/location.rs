@@ -37,6 +37,8 @@ pub enum LocationKind {
 pub struct Location {
     /// The name, unique whatever the case.
     pub id: String,
+    /// The French name with its article (`la joue`), for people; empty where the table gives none.
+    pub french: String,
     /// Other names, just as unique.
     pub aliases: Vec<String>,
     /// The HamNoSys tag, such as `hamchest`.

@@ -28,6 +28,8 @@ struct Table {
 struct Row {
     id: String,
     #[serde(default)]
+    fr: String,
+    #[serde(default)]
     aliases: Vec<String>,
     hamnosys: (String, String),
     kind: KindText,
@@ -141,6 +143,7 @@ impl<'a> Check<'a> {
         }
         Some(Location {
             id: row.id,
+            french: row.fr,
             aliases: row.aliases,
             tag: row.hamnosys.0,
             symbol: symbol?,

@@ -21,10 +21,13 @@ mod location_table;
 pub mod movement;
 pub mod movement_table;
 pub mod nonmanual;
+pub mod operator;
 pub mod orientation;
 pub mod placement;
+pub mod recombination;
 pub mod roll;
 pub mod sign;
+pub mod symmetry;
 
 pub use configuration::{Bend, Configuration, HandshapeChange, ThumbPosition};
 pub use direction::{Direction, Heading};

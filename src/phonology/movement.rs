@@ -149,6 +149,11 @@ impl Clock {
         (eighths < 8).then_some(Clock(eighths))
     }
 
+    /// The place across the clock face.
+    pub fn opposite(self) -> Clock {
+        Clock((self.0 + 4) % 8)
+    }
+
     /// Eighths of a turn, clockwise from the top.
     pub fn eighths(self) -> u8 {
         self.0

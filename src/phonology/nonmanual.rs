@@ -42,6 +42,12 @@ impl Channel {
         Channel::Mouth,
     ];
 
+    /// The name of its tier in tracks and annotations: `Brows`.
+    pub fn title(self) -> String {
+        let name = self.name();
+        format!("{}{}", name[..1].to_uppercase(), &name[1..])
+    }
+
     /// The keyword in text.
     pub fn name(self) -> &'static str {
         match self {

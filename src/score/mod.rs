@@ -3,4 +3,5 @@
 //! A [`plan::Plan`] knows signs and not yet times: `synthesis::measure` says what each item takes, and whoever has a
 //! clock to follow (a song, a recording) allots the times before `synthesis` renders them.
 
+pub mod gloss;
 pub mod plan;

@@ -21,12 +21,6 @@ pub(super) struct Slower {
     pub retraction: f64,
 }
 
-impl Slower {
-    pub fn none(items: usize) -> Slower {
-        Slower { ways: vec![1.0; items], retraction: 1.0 }
-    }
-}
-
 /// Where a hand was last, and since when it has been free.
 #[derive(Debug, Clone, Copy)]
 struct Left {

@@ -7,6 +7,7 @@
 use super::path::Path;
 use crate::motion::easing::Easing;
 use crate::phonology::movement_table::MovementTable;
+use crate::phonology::symmetry::Turns;
 use crate::phonology::{
     Action, Clock, Digits, Direction, Extent, Manner, Motion, Movement, Overlay, Placement, RepetitionKind, Size,
     WristMotion,
@@ -81,22 +82,6 @@ pub struct Wiggle {
     pub amplitude: f64,
     /// Whole cycles during the leg; below 0 they run backwards.
     pub cycles: f64,
-}
-
-/// Whether a hand takes turns with the other.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub struct Turns {
-    /// It follows the other hand: movements marked as alternating put it half a cycle behind.
-    pub follower: bool,
-    /// All its movements are half a cycle behind.
-    pub behind: bool,
-}
-
-impl Turns {
-    /// Whether an action is half a cycle behind.
-    fn behind(self, action: &Action) -> bool {
-        self.behind || self.follower && action.alternating
-    }
 }
 
 /// Lays out the movement of one interval.

@@ -9,6 +9,7 @@
 
 mod aim;
 pub mod anchor;
+pub mod edit;
 mod expression;
 pub mod face;
 mod layout;
@@ -27,9 +28,9 @@ pub mod schedule;
 mod site;
 mod stage;
 mod stroke;
-pub mod symmetry;
 mod tiers;
 mod timeline;
+mod vary;
 mod ways;
 
 use crate::body::arm::WristLimits;
@@ -96,11 +97,15 @@ pub struct Options {
     /// The paper's own procedure where ours departs from it: the wrist is placed, not the contact point; no limits, no
     /// help from the clavicle.
     pub paper: bool,
+    /// How much performances differ from their descriptions and from each other: 0 not at all, 1 visibly; to 3.
+    pub variation: f64,
+    /// Which of the possible performances, where they differ.
+    pub seed: u64,
 }
 
 impl Default for Options {
     fn default() -> Options {
-        Options { fps: Fps::DEFAULT, easing: Easing::default(), speed: 1.0, paper: false }
+        Options { fps: Fps::DEFAULT, easing: Easing::default(), speed: 1.0, paper: false, variation: 0.0, seed: 0 }
     }
 }
 

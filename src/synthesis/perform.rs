@@ -6,8 +6,9 @@ use super::prepare::{Prepared, prepare};
 use super::report::Report;
 use super::schedule::{Measured, Schedule};
 use super::stage::Stage;
-use super::stroke::{Body, Stint};
+use super::stroke::{Body, Stint, Stroke};
 use super::timeline::Timeline;
+use super::vary::difference;
 use super::ways::AtRest;
 use super::{Grammar, Options, Performance, clip, tiers};
 use crate::body::signer::Signer;
@@ -74,7 +75,8 @@ pub(super) fn render(plan: &Plan, schedule: &Schedule, stage: &Stage) -> Result<
 /// Signs a plan; durations grow until the wrists are slow enough.
 fn settle(plan: &Plan, stage: &Stage) -> Result<(Performance, Measured, Speeds), Error> {
     let mut prepared = prepare(stage, plan)?;
-    let mut slower = Slower::none(plan.items.len());
+    let ways = (0..plan.items.len()).map(|item| difference(stage.options, item).way).collect();
+    let mut slower = Slower { ways, retraction: 1.0 };
     // Each round measures the speed that the last one came to; two are enough, the third is for luck.
     for round in 0.. {
         let measured = lay_out(stage, plan, &prepared, &slower);
@@ -138,7 +140,8 @@ fn write(
                 .ok_or_else(|| Error::new("there is no time for it").context(&plan.items[sign.item].gloss))?;
             let still = cues.is_empty() && !hand.on_other_hand;
             let body = if still { Body::Still } else { Body::Moving };
-            let solved = stage.write_stroke(hand, &stint, timeline, sign.natural(), body, &raised, &mut poses);
+            let stroke = Stroke { plan: hand, stint: &stint, timeline, natural: sign.natural(), body, raised: &raised };
+            let solved = stage.write_stroke(&stroke, &mut poses);
             report.measure(stage, &stint, &solved, &whose(sign));
             own.push((stint, hand));
         }
@@ -335,6 +338,9 @@ fn wrists(stage: &Stage, side: Side, poses: &[LocalPose]) -> Vec<DVec3> {
 pub(super) fn stage<'a>(grammar: &'a Grammar, signer: &'a Signer, options: &'a Options) -> Result<Stage<'a>, Error> {
     if !(options.speed.is_finite() && options.speed >= 0.05 && options.speed <= 20.0) {
         return Err(Error::new(format!("the speed {} does not lie between 0.05 and 20", options.speed)));
+    }
+    if !(0.0..=3.0).contains(&options.variation) {
+        return Err(Error::new(format!("the variation {} does not lie between 0 and 3", options.variation)));
     }
     Stage::new(grammar, signer, options)
 }

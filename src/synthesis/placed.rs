@@ -5,8 +5,8 @@ use super::legs::{Leg, LegEnd, change, lay_out};
 use super::plan::{PlacedLeg, Planner};
 use super::posture::Site;
 use super::side_of;
-use super::symmetry::Resolved;
 use crate::diagnostics::Error;
+use crate::phonology::symmetry::Resolved;
 use crate::phonology::{Hand, Sign};
 use glam::DVec3;
 
@@ -74,11 +74,11 @@ impl Planner<'_> {
 /// `None` where none does, or a movement between has no way of its own.
 pub(super) fn going_back(intervals: &[Vec<Leg>], sites: &[Site], key: usize) -> Option<Anchor> {
     let mut way = DVec3::ZERO;
-    for at in key..sites.len() {
-        if let Some(anchor) = &sites[at].anchor {
+    for (site, legs) in sites.iter().zip(intervals.iter().map(Some).chain([None])).skip(key) {
+        if let Some(anchor) = &site.anchor {
             return Some(anchor.clone().moved(-way));
         }
-        for leg in intervals.get(at)? {
+        for leg in legs? {
             if leg.end != LegEnd::Displaced {
                 return None;
             }

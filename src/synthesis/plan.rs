@@ -3,8 +3,7 @@
 use super::anchor::Anchor;
 use super::legs::Leg;
 use super::placed::going_back;
-use super::posture::Site;
-use super::symmetry::{acts, resolve};
+use super::posture::{Part, Site};
 use super::{Grammar, side_of};
 use crate::body::landmarks::ContactPoint;
 use crate::body::signer::Signer;
@@ -12,6 +11,7 @@ use crate::diagnostics::Error;
 use crate::motion::easing::slerp;
 use crate::motion::pose::ModelPose;
 use crate::phonology::handshape::HandAngles;
+use crate::phonology::symmetry::{acts, resolve};
 use crate::phonology::{Hand, Side, Sign};
 use glam::{DQuat, DVec3};
 
@@ -61,8 +61,24 @@ pub struct HandPlan {
     pub on_other_hand: bool,
     /// Whether the description says nothing of its orientation.
     pub free_hand: bool,
+    /// Whether it touches the body or the other hand.
+    pub touching: bool,
     /// The wrist's own way, where the hand is placed by its wrist as in the paper: in relocated signs.
     pub wrist_path: Option<WristPath>,
+}
+
+impl HandPlan {
+    /// Moves the whole stroke by a vector of model space, metres.
+    pub fn shift(&mut self, by: DVec3) {
+        self.start = self.start.clone().moved(by);
+        for leg in &mut self.legs {
+            leg.from = leg.from.clone().moved(by);
+            leg.to = leg.to.clone().moved(by);
+        }
+        if let Some(path) = &mut self.wrist_path {
+            path.places.iter_mut().for_each(|place| *place += by);
+        }
+    }
 }
 
 /// The way of a wrist through a stroke, sampled evenly over the stroke's time; as many places as rotations, at least one.
@@ -122,9 +138,10 @@ impl Planner<'_> {
         let side = side_of(hand);
         let mut on_other_hand = false;
         let at_key = |key: usize| move |e: Error| e.context(format_args!("key {} of the {}", key + 1, name_of(hand)));
+        let part = Part { sign, hand, said: &said };
         let mut sites = Vec::with_capacity(sign.intervals + 1);
         for key in 0..=sign.intervals {
-            sites.push(self.site(sign, hand, &said, key, &mut on_other_hand).map_err(at_key(key))?);
+            sites.push(self.site(part, key, &mut on_other_hand).map_err(at_key(key))?);
         }
         let intervals = self.intervals(sign, &said);
         let derived = going_back(&intervals, &sites, 0);
@@ -136,14 +153,15 @@ impl Planner<'_> {
         let mut keys: Vec<KeyPosture> = Vec::with_capacity(sites.len());
         for (key, site) in sites.iter().enumerate() {
             let place = site.anchor.as_ref().or(derived.as_ref().filter(|_| key == 0));
-            let posture = self.posture(sign, hand, &said, key, keys.last(), site, place).map_err(at_key(key))?;
+            let posture = self.posture(part, key, keys.last(), site, place).map_err(at_key(key))?;
             keys.push(posture);
         }
         let legs = self.legs(sign, hand, &intervals, &sites, &start, &mut on_other_hand)?;
         // A hand that touches the body comes from outside; elsewhere it may follow the forearm.
-        let touching = said.placement.iter().any(|(_, p)| self.outward(p, side).is_some());
-        let free_hand = said.orientation.is_empty() && !touching && !sites.iter().any(Site::is_turned);
-        Ok(HandPlan { side, keys, legs, start, on_other_hand, free_hand, wrist_path: None })
+        let on_skin = said.placement.iter().any(|(_, p)| self.outward(p, side).is_some());
+        let touching = on_skin || !sign.contact.is_empty();
+        let free_hand = said.orientation.is_empty() && !on_skin && !sites.iter().any(Site::is_turned);
+        Ok(HandPlan { side, keys, legs, start, on_other_hand, free_hand, touching, wrist_path: None })
     }
 }
 

@@ -4,12 +4,12 @@ use super::anchor::Anchor;
 use super::plan::{KeyPosture, Planner};
 use super::reach::{from_outside, natural_rotation, strain};
 use super::side_of;
-use super::symmetry::{Resolved, points};
 use crate::body::landmarks::ContactPoint;
 use crate::diagnostics::Error;
 use crate::motion::easing::slerp;
 use crate::motion::pose::LocalPose;
 use crate::motion::rotation::{angle_between, to_vector};
+use crate::phonology::symmetry::{Resolved, points};
 use crate::phonology::{
     Configuration, ContactKind, Hand, HandPart, HandPoint, Hands, Orientation, Place, Placement, Side, Sign,
 };
@@ -20,6 +20,15 @@ const HANDS_CLOSE_ARMS: f64 = 0.06;
 
 /// From this angle on, both ways about are looked at: 140°.
 const WIDE_TURN: f64 = 140.0 * std::f64::consts::PI / 180.0;
+
+/// One hand's part of a description.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Part<'s> {
+    pub sign: &'s Sign,
+    pub hand: Hand,
+    /// Its tiers, with what follows from a symmetry.
+    pub said: &'s Resolved,
+}
 
 /// What a key says of where the hand is.
 #[derive(Debug, Clone, Default)]
@@ -51,14 +60,8 @@ struct Reach {
 
 impl Planner<'_> {
     /// What a key says of where a hand is.
-    pub(super) fn site(
-        &self,
-        sign: &Sign,
-        hand: Hand,
-        said: &Resolved,
-        key: usize,
-        on_other_hand: &mut bool,
-    ) -> Result<Site, Error> {
+    pub(super) fn site(&self, part: Part, key: usize, on_other_hand: &mut bool) -> Result<Site, Error> {
+        let Part { sign, hand, said } = part;
         let side = side_of(hand);
         let contact = sign.contact.stated(key).copied();
         let mut site = match said.placement.stated(key) {
@@ -117,14 +120,13 @@ impl Planner<'_> {
     /// A hand's posture at a key. `place` is where its point is, as far as that is known.
     pub(super) fn posture(
         &self,
-        sign: &Sign,
-        hand: Hand,
-        said: &Resolved,
+        part: Part,
         key: usize,
         before: Option<&KeyPosture>,
         site: &Site,
         place: Option<&Anchor>,
     ) -> Result<KeyPosture, Error> {
+        let Part { sign, hand, said } = part;
         let side = side_of(hand);
         let unsaid = Configuration::named("rest");
         let configuration = said.configuration.at(key);

@@ -2,6 +2,7 @@
 
 use super::plan::{HandPlan, stretch};
 use super::stage::Stage;
+use super::vary::{Difference, difference};
 use crate::diagnostics::Error;
 use crate::phonology::{Movement, Sign};
 use crate::score::plan::{Act, Plan};
@@ -35,6 +36,17 @@ impl Prepared<'_> {
         stretch(&mut self.hands, factor);
     }
 
+    /// Signs it a little otherwise than it is described.
+    fn differ(&mut self, by: &Difference) {
+        if !self.states_its_time {
+            self.stretch(by.stroke);
+        }
+        // What touches the body or the other hand goes on touching it.
+        if !self.hands.iter().any(|h| h.touching || h.on_other_hand) {
+            self.hands.iter_mut().for_each(|h| h.shift(by.place));
+        }
+    }
+
     /// All hands have the same times, so the first one's legs say them.
     fn legs(&self) -> impl Iterator<Item = &super::plan::PlacedLeg> {
         self.hands.first().map(|h| &h.legs[..]).unwrap_or_default().iter()
@@ -54,6 +66,7 @@ pub(super) fn prepare<'p>(stage: &Stage, plan: &'p Plan) -> Result<Vec<Prepared<
             if let Some(relocation) = &sign.relocated {
                 stage.relocate(&mut prepared, &relocation.place).map_err(|e| e.context(&what.gloss))?;
             }
+            prepared.differ(&difference(stage.options, item));
             all.push(prepared);
         }
     }

@@ -11,7 +11,7 @@ use super::plan::WristPath;
 use super::prepare::Prepared;
 use super::schedule::Times;
 use super::stage::Stage;
-use super::stroke::{Body, Stint};
+use super::stroke::{Body, Stint, Stroke};
 use super::timeline::Timeline;
 use crate::diagnostics::Error;
 use crate::motion::pose::{LocalPose, ModelPose};
@@ -40,17 +40,11 @@ impl Stage<'_> {
             .collect();
         let places = || paths.iter().flat_map(|path| &path.places);
         let by = target - places().sum::<DVec3>() / places().count().max(1) as f64;
-        for (hand, mut path) in prepared.hands.iter_mut().zip(paths) {
-            path.places.iter_mut().for_each(|place| *place += by);
-            // Where the hand starts and ends is asked for by the ways there and back.
-            hand.start = hand.start.clone().moved(by);
-            for leg in &mut hand.legs {
-                leg.from = leg.from.clone().moved(by);
-                leg.to = leg.to.clone().moved(by);
-            }
+        for (hand, path) in prepared.hands.iter_mut().zip(paths) {
             hand.free_hand = false;
             hand.on_other_hand = false;
             hand.wrist_path = Some(path);
+            hand.shift(by);
         }
         Ok(())
     }
@@ -68,7 +62,8 @@ impl Stage<'_> {
         for hand in &prepared.hands {
             let stint = Stint { side: hand.side, item: prepared.item, first: 0, last };
             let body = if hand.on_other_hand { Body::Moving } else { Body::Still };
-            self.write_stroke(hand, &stint, &timeline, natural, body, &raised, &mut poses);
+            let stroke = Stroke { plan: hand, stint: &stint, timeline: &timeline, natural, body, raised: &raised };
+            self.write_stroke(&stroke, &mut poses);
         }
         poses.iter().map(|pose| pose.to_model(&self.signer.skeleton)).collect()
     }

@@ -20,20 +20,7 @@ impl Planner<'_> {
 
     /// Whether a placement is at or near the skin, so that what touches matters.
     pub(super) fn touches(&self, placement: &Placement) -> bool {
-        let distance = match (&placement.place, placement.distance) {
-            (Place::Body(name), Distance::Unmarked) => match self.grammar.locations.get(name) {
-                Some(row) if row.id != "neutral" => row.unmarked,
-                _ => Distance::Neutral,
-            },
-            (Place::OtherHand(_), Distance::Unmarked) => Distance::Touch,
-            (Place::Between(..), Distance::Unmarked) => Distance::Touch,
-            (_, distance) => distance,
-        };
-        match distance {
-            Distance::Touch | Distance::Close => true,
-            Distance::Metres(metres) => metres < 0.06,
-            Distance::Unmarked | Distance::Neutral | Distance::Extended => false,
-        }
+        crate::phonology::operator::touches(placement, &self.grammar.locations)
     }
 
     /// Where a place is that no hand is put at, such as one that is looked at.

@@ -31,21 +31,26 @@ pub(super) enum Body {
     Moving,
 }
 
+/// What one hand's stroke is written from.
+pub(super) struct Stroke<'s> {
+    /// The hand's part of the sign.
+    pub plan: &'s HandPlan,
+    /// The frames that it gets.
+    pub stint: &'s Stint,
+    /// The sign's instants.
+    pub timeline: &'s Timeline,
+    /// How long the stroke lasts at the description's own speed, seconds.
+    pub natural: f64,
+    /// Whether the body moves under the arm.
+    pub body: Body,
+    /// How far both shoulders are raised in each frame of the clip, radians.
+    pub raised: &'s [[f64; 2]],
+}
+
 impl Stage<'_> {
     /// Writes the fingers and the arm of one hand into the frames of its stint.
-    ///
-    /// `natural` is how long the stroke lasts at the description's own speed. `raised` has the height of both shoulders
-    /// for each frame of the clip, radians.
-    pub(super) fn write_stroke(
-        &self,
-        plan: &HandPlan,
-        stint: &Stint,
-        timeline: &Timeline,
-        natural: f64,
-        body: Body,
-        raised: &[[f64; 2]],
-        poses: &mut [LocalPose],
-    ) -> Vec<ArmFrame> {
+    pub(super) fn write_stroke(&self, stroke: &Stroke, poses: &mut [LocalPose]) -> Vec<ArmFrame> {
+        let &Stroke { plan, stint, timeline, natural, body, raised } = stroke;
         let fps = self.options.fps.get();
         let frames = stint.first..=stint.last;
         let own_time = |i: usize| timeline.own_time(i as f64 / fps, natural);

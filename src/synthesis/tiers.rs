@@ -3,8 +3,8 @@
 use super::prepare::Prepared;
 use super::schedule::Schedule;
 use super::side_of;
-use super::symmetry::{acts, resolve};
 use super::timeline::Timeline;
+use crate::phonology::symmetry::{acts, resolve};
 use crate::phonology::{
     Action, Channel, Configuration, Contact, ContactKind, Distance, Hand, HandshapeChange, Keys, Motion, Movement,
     NonManual, NonManualValue, Orientation, Place, Placement, Side,
@@ -30,7 +30,7 @@ pub(super) fn of_plan(plan: &Plan, prepared: &[Prepared], timelines: &[Timeline]
     }
     for over in &plan.spans {
         if let [first, .., last] | [first @ last] = schedule.items.get(over.items.clone()).unwrap_or_default() {
-            let tier = tiers.of(&title(over.channel));
+            let tier = tiers.of(&over.channel.title());
             tier.push(first.stroke, last.hold_end, non_manual_label(&over.value), STATED);
         }
     }
@@ -54,17 +54,12 @@ impl Tiers {
     fn in_order(mut self) -> Vec<Tier> {
         const KINDS: [&str; 6] = ["Gloss", "Phase", "Configuration", "Placement", "Orientation", "Movement"];
         let hands = ["RH", "LH"].iter().flat_map(|hand| KINDS.map(|kind| format!("{hand} {kind}")));
-        let others = Channel::ALL.iter().map(|channel| title(*channel));
+        let others = Channel::ALL.iter().map(|channel| channel.title());
         let order: Vec<String> = hands.chain(["Contact".to_owned()]).chain(others).collect();
         self.0.retain(|t| !t.values().is_empty());
         self.0.sort_by_key(|t| order.iter().position(|name| *name == t.name).unwrap_or(order.len()));
         self.0
     }
-}
-
-fn title(channel: Channel) -> String {
-    let name = channel.name();
-    format!("{}{}", name[..1].to_uppercase(), &name[1..])
 }
 
 fn prefix(side: Side) -> &'static str {
@@ -103,7 +98,7 @@ fn of_sign(prepared: &Prepared, label: &str, timeline: &Timeline, tiers: &mut Ti
     }
     keyed(tiers.of("Contact"), &sign.contact, timeline, contact_label, STATED);
     for (channel, values) in &sign.nonmanual {
-        keyed(tiers.of(&title(*channel)), values, timeline, non_manual_label, STATED);
+        keyed(tiers.of(&channel.title()), values, timeline, non_manual_label, STATED);
     }
 }
 

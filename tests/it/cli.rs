@@ -6,17 +6,17 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
 /// A folder of its own for a test, removed at the end.
-struct Folder(PathBuf);
+pub struct Folder(pub PathBuf);
 
 impl Folder {
-    fn new(name: &str) -> Folder {
+    pub fn new(name: &str) -> Folder {
         let path = std::env::temp_dir().join(format!("chereme-cli-{}-{name}", std::process::id()));
         let _ = fs::remove_dir_all(&path);
         fs::create_dir_all(&path).unwrap();
         Folder(path)
     }
 
-    fn write(&self, name: &str, text: &str) -> PathBuf {
+    pub fn write(&self, name: &str, text: &str) -> PathBuf {
         let path = self.0.join(name);
         fs::create_dir_all(path.parent().unwrap()).unwrap();
         fs::write(&path, text).unwrap();
@@ -30,13 +30,13 @@ impl Drop for Folder {
     }
 }
 
-struct Run {
-    code: i32,
-    out: String,
-    err: String,
+pub struct Run {
+    pub code: i32,
+    pub out: String,
+    pub err: String,
 }
 
-fn run(folder: &Path, args: &[&str], input: &str) -> Run {
+pub fn run(folder: &Path, args: &[&str], input: &str) -> Run {
     let mut child = Command::new(env!("CARGO_BIN_EXE_chereme"))
         .args(args)
         .current_dir(folder)
@@ -160,7 +160,7 @@ fn a_grammar_folder_adds_names() {
 #[test]
 fn help_has_examples_and_completions_come() {
     let here = std::env::temp_dir();
-    for command in ["check", "fmt", "list", "new", "explain", "completions"] {
+    for command in ["check", "fmt", "list", "new", "explain", "profile", "completions"] {
         let help = run(&here, &[command, "--help"], "");
         assert!(help.code == 0 && help.out.contains("chereme"), "{command}");
         assert!(help.out.contains("Example"), "{command}");
@@ -182,12 +182,16 @@ fn files_without_a_sign_are_a_fault() {
 fn render_writes_pages_and_files_and_overwrites_nothing_unasked() {
     let folder = Folder::new("render");
     folder.write("bol.sign", GOOD);
-    let done = run(&folder.0, &["render", "bol.sign", "-o", "bol.html", "-o", "bol.glb"], "");
+    let done = run(&folder.0, &["render", "bol.sign", "-o", "bol.html", "-o", "bol.glb", "-o", "bol.eaf"], "");
     assert_eq!(done.code, 0, "{}", done.err);
     assert!(done.err.contains("bol.glb"), "{}", done.err);
     let page = fs::read_to_string(folder.0.join("bol.html")).unwrap();
     assert!(page.starts_with("<!doctype html>") && page.contains("RH Phase") && page.contains("unverified"));
     assert!(fs::read(folder.0.join("bol.glb")).unwrap().starts_with(b"glTF"));
+    let tiers = fs::read_to_string(folder.0.join("bol.eaf")).unwrap();
+    assert!(tiers.contains("TIER_ID=\"LH Movement\"") && tiers.contains(">retraction</CVE_VALUE>"));
+    let piped = run(&folder.0, &["render", "bol.sign", "-o", "-", "--format", "eaf"], "");
+    assert_eq!((piped.code, piped.out), (0, tiers));
     let again = run(&folder.0, &["render", "bol.sign", "-o", "bol.glb"], "");
     assert_eq!(again.code, 2);
     assert!(again.err.contains("--force"), "{}", again.err);
@@ -202,7 +206,9 @@ fn render_says_what_it_cannot_do() {
     for (args, code, words) in [
         (&["render", "two.sign", "-o", "x.html"][..], 2, "--sign"),
         (&["render", "two.sign", "--sign", "CHIEN", "-o", "x.html"], 1, "CHIEN"),
-        (&["render", "two.sign", "-o", "x.bvh"], 2, ".glb"),
+        (&["render", "two.sign", "-o", "x.fbx"], 2, ".glb"),
+        (&["render", "two.sign", "--sign", "CHAT", "-o", "x.html", "-o", "x.html"], 2, "twice"),
+        (&["render", "two.sign", "--sign", "CHAT", "-o", "-", "--format", "html,eaf"], 2, "one format"),
         (&["render", "two.sign", "-o", "x"], 2, ".html"),
         (&["render", "two.sign", "--sign", "CHAT", "-o", "x.html", "--fps", "0"], 2, "--fps"),
         (&["render", "two.sign", "--sign", "CHAT", "-o", "x.html", "--speed", "nan"], 1, "speed"),
@@ -226,4 +232,23 @@ fn render_writes_one_page_a_sign_into_a_folder() {
     let mut names: Vec<_> = fs::read_dir(folder.0.join("out")).unwrap().map(|f| f.unwrap().file_name()).collect();
     names.sort();
     assert_eq!(names, ["BOL.glb", "BOL.html", "CHAT.glb", "CHAT.html"]);
+}
+
+#[test]
+fn a_gloss_line_is_explained_and_rendered() {
+    let folder = Folder::new("gloss");
+    let told = run(&folder.0, &["explain", "BOL@left IX(BOL) {brows raised: TOI++}, fs(LSF)"], "");
+    assert_eq!(told.code, 0, "{}", told.err);
+    for words in
+        ["made in space, left", "the index points where BOL was made", "made 3 times", "spelled L S F", "brows raised"]
+    {
+        assert!(told.out.contains(words), "{words}: {}", told.out);
+    }
+    let done = run(&folder.0, &["render", "TOI BOL@left", "-o", "line.glb", "--fps", "10"], "");
+    assert_eq!(done.code, 0, "{}", done.err);
+    assert!(fs::metadata(folder.0.join("line.glb")).unwrap().len() > 1000);
+    let wrong = run(&folder.0, &["render", "TOI BOLL@left {brows up: X", "-o", "wrong.glb"], "");
+    assert_eq!(wrong.code, 1);
+    assert!(wrong.err.contains("did you mean `BOL`?") && wrong.err.contains("never closed"), "{}", wrong.err);
+    assert!(!folder.0.join("wrong.glb").exists());
 }

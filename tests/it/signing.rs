@@ -2,9 +2,10 @@
 
 use chereme::body::signer::Signer;
 use chereme::motion::pose::ModelPose;
-use chereme::notation::lexicon::{self, Lexicon};
+use chereme::notation::Lexicon;
 use chereme::notation::{Vocabulary, read};
 use chereme::phonology::Sign;
+use chereme::phonology::operator::Tables;
 use chereme::synthesis::{Grammar, Options, Performance, synthesize};
 use chereme::time::Seconds;
 use std::sync::OnceLock;
@@ -41,11 +42,20 @@ pub fn perform_with(sign: &Sign, options: &Options) -> Performance {
     synthesize(sign, &world.grammar, &world.signer, options).unwrap_or_else(|e| panic!("{e}"))
 }
 
+/// The inventories that operators look things up in.
+pub fn tables() -> Tables<'static> {
+    Tables { locations: &world().grammar.locations, movements: &world().grammar.movements }
+}
+
+/// The embedded lexicon, read once.
+pub fn lexicon() -> &'static Lexicon {
+    static LEXICON: OnceLock<Lexicon> = OnceLock::new();
+    LEXICON.get_or_init(Lexicon::builtin)
+}
+
 /// All signs of a language's lexicon, its letters included.
 pub fn signs_of(language: &str) -> Vec<Sign> {
-    let mut all = Lexicon::default();
-    all.add(lexicon::embedded(), &world().vocabulary);
-    let signs: Vec<Sign> = all.entries().map(|e| e.sign.clone()).filter(|s| s.language == language).collect();
+    let signs: Vec<Sign> = lexicon().entries().map(|e| e.sign.clone()).filter(|s| s.language == language).collect();
     assert!(!signs.is_empty(), "no signs of {language}");
     signs
 }

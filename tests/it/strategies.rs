@@ -1,12 +1,16 @@
 //! Random signs over the whole phonology, for laws: everything that can be meant and written.
 
+use chereme::motion::curve::{Curve, Measure, Phase, Profile, Reference};
 use chereme::notation::Vocabulary;
+use chereme::phonology::operator::Operator;
+use chereme::phonology::recombination::{Base, Recombination};
 use chereme::phonology::*;
 use chereme::time::Seconds;
 use proptest::collection::vec;
 use proptest::option::of;
 use proptest::prelude::*;
 use proptest::sample::select;
+use std::collections::BTreeSet;
 
 /// Which names a sign uses.
 #[derive(Debug, Clone)]
@@ -198,7 +202,7 @@ fn repetition() -> impl Strategy<Value = Repetition> {
     (select(kinds), 2u8..=50, -9i8..=9).prop_map(|(kind, times, growth)| Repetition { kind, times, growth })
 }
 
-/// A movement of one interval, by its number.
+/// A movement of one interval; ways back go to keys up to `interval`.
 fn movement(words: &Words, interval: usize) -> impl Strategy<Value = Movement> + use<> {
     let manner = proptest::sample::subsequence(Manner::ALL.to_vec(), 0..=3);
     let action = (
@@ -243,7 +247,7 @@ fn manual(words: &Words, intervals: usize, moves: bool) -> impl Strategy<Value =
         keys(configuration(words), intervals),
         keys(placement(words), intervals),
         keys(orientation(), intervals).prop_filter("a palm", palms_can_be),
-        (0..count).map(|i| movement(words, i).boxed()).collect::<Vec<_>>(),
+        (0..count).map(|i| movement(words, i.min(count - 1 - i)).boxed()).collect::<Vec<_>>(),
     )
         .prop_map(|(configuration, placement, orientation, movement)| Manual {
             configuration,
@@ -383,5 +387,86 @@ pub fn sign(words: Words) -> impl Strategy<Value = Sign> {
                 relocated,
             },
         )
+    })
+}
+
+/// A kinematic profile of random points, with phases that may touch, overlap or lie outside.
+pub fn profile() -> impl Strategy<Value = Profile> {
+    let curve = ("[A-Za-zÉ,\" ;]{1,8}", 0..Reference::ALL.len(), 0..Measure::ALL.len());
+    let phase = ("[a-zé,]{0,4}", 0..30u32, 0..30u32);
+    let parts = (1..20usize, prop::collection::vec(curve, 0..4), prop::collection::vec(phase, 0..4), 0..1000u64);
+    parts.prop_map(|(rows, curves, phases, seed)| {
+        let mut names = BTreeSet::new();
+        let value = |i: usize, k: usize| ((i * 37 + k * 11) as f64 * (seed as f64 + 0.7)).sin() * 3.0;
+        let curves = curves.into_iter().enumerate().filter_map(|(k, (point, reference, measure))| {
+            let (reference, measure) = (Reference::ALL[reference], Measure::ALL[measure]);
+            let values = (0..rows).map(|i| value(i, k)).collect();
+            names.insert((point.clone(), reference, measure)).then_some(Curve { point, reference, measure, values })
+        });
+        let times = (0..rows).map(|i| Seconds(i as f64 / 30.0)).collect();
+        let phases = phases.into_iter().map(|(name, start, length)| {
+            let start = f64::from(start) / 40.0;
+            Phase { name, start: Seconds(start), end: Seconds(start + f64::from(length) / 40.0) }
+        });
+        Profile::new(times, curves.collect()).unwrap().with_phases(phases.collect())
+    })
+}
+
+fn few<T: std::fmt::Debug + Clone + 'static>(
+    value: impl Strategy<Value = T> + 'static,
+) -> impl Strategy<Value = Keys<T>> {
+    vec(value, 1..4).prop_map(|all| Keys::new(all.into_iter().enumerate().collect()).unwrap())
+}
+
+/// An operator on signs.
+pub fn operator(words: &Words) -> impl Strategy<Value = Operator> + use<> {
+    let hand = || of(select(vec![Hand::Strong, Hand::Weak]));
+    let gap = of(0.01f64..60.0).prop_map(|s| s.map(Seconds));
+    let faces = {
+        let words = words.clone();
+        select(Channel::ALL.to_vec()).prop_flat_map(move |c| (Just(c), few(nonmanual(&words, c))))
+    };
+    let moves = {
+        let words = words.clone();
+        (1usize..4).prop_flat_map(move |n| vec(movement(&words, 0), n))
+    };
+    let orientations = few(orientation()).prop_filter("a palm", palms_can_be);
+    prop_oneof![
+        select(vec![
+            Operator::Inverted,
+            Operator::InvertedMovement,
+            Operator::Mirrored,
+            Operator::Swapped,
+            Operator::Reflected
+        ]),
+        (2u8..=50, gap, -9i8..=9).prop_map(|(times, gap, growth)| Operator::Repeated { times, gap, growth }),
+        (hand(), few(configuration(words))).prop_map(|(h, v)| Operator::Configuration(h, v)),
+        (hand(), orientations).prop_map(|(h, v)| Operator::Orientation(h, v)),
+        (hand(), few(placement(words))).prop_map(|(h, v)| Operator::Placement(h, v)),
+        (hand(), moves).prop_map(|(h, v)| Operator::Movement(h, v)),
+        faces.prop_map(|(c, v)| Operator::NonManual(c, v)),
+        relocation(words).prop_map(Operator::At),
+        prop_oneof![Just(1.4), Just(0.7), 0.05f64..20.0].prop_map(Operator::Speed),
+        prop_oneof![Just(1.4), Just(0.7), 0.1f64..5.0].prop_map(Operator::Size),
+    ]
+}
+
+/// A sign made from others.
+pub fn recombination(words: Words) -> impl Strategy<Value = Recombination> {
+    let place_of = place(&words).prop_filter("a place", |p| !matches!(p, Place::Towards(_)));
+    let base = prop_oneof![
+        4 => "[A-ZÉ][A-Z-]{0,5}|then|&|spelled|wrist|a b".prop_map(Base::Named),
+        1 => "[A-Z]{1,4}".prop_map(Base::Spelled),
+        1 => place_of.prop_map(Base::Pointing),
+        1 => [-9.9f64..9.9, -9.9f64..9.9, -9.9f64..9.9].prop_map(|p| Base::WristAt(glam::DVec3::from_array(p))),
+    ];
+    let operators = vec(operator(&words).boxed(), 0..3);
+    let leaf = (base, operators.clone()).prop_map(|(base, operators)| Recombination { base, operators });
+    leaf.prop_recursive(2, 6, 3, move |inner| {
+        let joined = prop_oneof![
+            vec(inner.clone(), 2..4).prop_map(Base::Chain),
+            (inner.clone(), inner).prop_map(|(a, b)| Base::Hands(Box::new(a), Box::new(b))),
+        ];
+        (joined, operators.clone()).prop_map(|(base, operators)| Recombination { base, operators })
     })
 }

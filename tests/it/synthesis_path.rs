@@ -1,8 +1,9 @@
 //! The shapes that hands draw: expectation 45 of facts/phonology.md §9, and laws on random paths.
 
 use chereme::phonology::movement_table::MovementTable;
+use chereme::phonology::symmetry::Turns;
 use chereme::phonology::{Action, Clock, Direction, Extent, Motion, Movement};
-use chereme::synthesis::legs::{Turns, lay_out};
+use chereme::synthesis::legs::lay_out;
 use chereme::synthesis::path::Path;
 use glam::DVec3;
 use proptest::prelude::*;

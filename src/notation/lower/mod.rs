@@ -1,14 +1,19 @@
 //! What was written to what it means: [`syntax`](super::syntax) → [`Sign`], names looked up, keys counted.
 
 mod keys;
+mod recombination;
 mod value;
 
 use super::syntax::{Content, File, TierLine, Value, Values};
 use super::vocabulary::Vocabulary;
 use crate::diagnostics::{Diagnostic, Severity, Span, Spanned};
-use crate::phonology::{Action, Channel, Hand, Hands, Keys, Manual, Motion, Movement, Orientation, Relocation, Sign};
+use crate::phonology::{
+    self, Action, Channel, Hand, Hands, Keys, Manual, Motion, Movement, Orientation, Relocation, Sign,
+};
 use crate::time::Seconds;
 use keys::{Tally, place};
+pub use recombination::Derived;
+pub(crate) use recombination::operators;
 pub(crate) use value::NAME_STOPS;
 use value::Names;
 pub use value::default_bulge;
@@ -22,10 +27,19 @@ pub struct Lowered {
     pub name_span: Span,
 }
 
+/// What a file describes.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Lowering {
+    /// The signs that are described by their own tiers.
+    pub signs: Vec<Lowered>,
+    /// The signs that are made from others.
+    pub derived: Vec<Derived>,
+}
+
 /// The signs of a file that have no fault; faults and warnings are added to `diagnostics`.
 ///
 /// Signs with a [`Content::Broken`] line are left out without a further word.
-pub fn lower(file: &File, vocabulary: &Vocabulary, language: &str, diagnostics: &mut Vec<Diagnostic>) -> Vec<Lowered> {
+pub fn lower(file: &File, vocabulary: &Vocabulary, language: &str, diagnostics: &mut Vec<Diagnostic>) -> Lowering {
     let mut language = language.to_owned();
     let mut said: Option<Span> = None;
     let mut blocks: Vec<Block> = Vec::new();
@@ -47,9 +61,11 @@ pub fn lower(file: &File, vocabulary: &Vocabulary, language: &str, diagnostics: 
                     language.clone_from(&name.value);
                 }
             }
-            Some(Content::Sign(name)) => blocks.push(Block { name: Some(name), tiers: Vec::new(), broken: false }),
+            Some(Content::Sign(name, made)) => {
+                blocks.push(Block { name: Some(name), made: made.as_ref(), tiers: Vec::new(), broken: false });
+            }
             Some(Content::Broken { begins_sign: true }) => {
-                blocks.push(Block { name: None, tiers: Vec::new(), broken: true })
+                blocks.push(Block { name: None, made: None, tiers: Vec::new(), broken: true })
             }
             Some(Content::Broken { begins_sign: false }) => {
                 orphan_told |= blocks.is_empty();
@@ -72,20 +88,39 @@ pub fn lower(file: &File, vocabulary: &Vocabulary, language: &str, diagnostics: 
             },
         }
     }
-    let mut signs = Vec::new();
+    let mut all = Lowering::default();
     for block in blocks {
         let mut faults = Vec::new();
-        let sign = block.lower(vocabulary, &language, &mut faults);
+        let sign = match block.made {
+            None => block.lower(vocabulary, &language, &mut faults).map(Ok),
+            Some(made) => block.derived(made, vocabulary, &language, &mut faults).map(Err),
+        };
         let sound = !block.broken && faults.iter().all(|d| d.severity != Severity::Fault);
-        signs.extend(sign.filter(|_| sound));
+        match sign.filter(|_| sound) {
+            Some(Ok(sign)) => all.signs.push(sign),
+            Some(Err(derived)) => all.derived.push(derived),
+            None => {}
+        }
         diagnostics.append(&mut faults);
     }
-    signs
+    all
+}
+
+/// A non-manual value with its names looked up, for a gloss line; faults are added to `diagnostics`.
+pub fn nonmanual(
+    channel: Channel,
+    written: &super::syntax::NonManual,
+    vocabulary: &Vocabulary,
+    diagnostics: &mut Vec<Diagnostic>,
+) -> Option<phonology::NonManual> {
+    Names { vocabulary, language: "" }.nonmanual(channel, written, diagnostics)
 }
 
 /// A sign's lines.
 struct Block<'f> {
     name: Option<&'f Spanned<String>>,
+    /// What it is made from.
+    made: Option<&'f super::syntax::Expression>,
     tiers: Vec<&'f TierLine>,
     broken: bool,
 }

@@ -171,7 +171,13 @@ impl Names<'_> {
         let fault = Diagnostic::fault(name.span, format!("`{}` is not a known value of {word}", name.value))
             .label("unknown value");
         let elsewhere = self.vocabulary.nonmanuals.iter().find(|(_, n)| n.id(&name.value).is_some());
-        faults.push(if let Some(near) = names.nearest(&name.value) {
+        let next = name.value.split_once(' ').filter(|(first, rest)| {
+            let of = rest.split(' ').next().unwrap_or_default();
+            names.id(first).is_some() && Channel::ALL.iter().any(|c| c.name().eq_ignore_ascii_case(of))
+        });
+        faults.push(if let Some((first, rest)) = next {
+            fault.hint(format!("is a comma missing? `{first}, {rest}`"))
+        } else if let Some(near) = names.nearest(&name.value) {
             fault.hint(format!("did you mean `{near}`?"))
         } else if let Some((other, _)) = elsewhere {
             fault.hint(format!("that is a value of `{}`", other.name()))
@@ -194,7 +200,7 @@ impl Names<'_> {
         let mut parts = 0;
         let mut out = Vec::with_capacity(written.len());
         for (interval, movement) in written.iter().enumerate() {
-            check_returns(movement, interval + 1, faults);
+            check_returns(movement, interval, written.len() - 1 - interval, faults);
             match self.movement(movement, span, &mut parts, faults) {
                 Some(movement) => out.push(movement),
                 None => return Vec::new(),
@@ -272,26 +278,26 @@ impl Names<'_> {
     }
 }
 
-/// Faults for ways back to keys that the hand has not come to when interval `count` (from 1) begins.
-fn check_returns(written: &syntax::Movement, count: usize, faults: &mut Vec<Diagnostic>) {
+/// Faults for ways back to keys that the hand has not come to: `before` movements stand before this one, `after` behind it.
+fn check_returns(written: &syntax::Movement, before: usize, after: usize, faults: &mut Vec<Diagnostic>) {
     match written {
         syntax::Movement::Action(action) => {
             if let syntax::Motion::Return(key) = action.motion
-                && key.value > count
+                && key.value > before + 1
             {
                 faults.push(
                     Diagnostic::fault(key.span, format!("the hand has not been at key {} yet", key.value))
-                        .label(format!("movement {count} begins at key {count}"))
+                        .label(format!("this movement begins at key {}", before + 1))
                         .hint("`back` goes to a key before it; key 1 is the start"),
                 );
             }
         }
         syntax::Movement::Group { parts, .. } | syntax::Movement::Together(parts) => {
-            parts.iter().for_each(|part| check_returns(part, count, faults));
+            parts.iter().for_each(|part| check_returns(part, before, after, faults));
         }
-        syntax::Movement::Repeated(inner, _) => check_returns(inner, count, faults),
+        syntax::Movement::Repeated(inner, _) => check_returns(inner, before, after, faults),
         // Keys in it count from the sign's end.
-        syntax::Movement::Backwards(_) => {}
+        syntax::Movement::Backwards(inner) => check_returns(inner, after, before, faults),
     }
 }
 

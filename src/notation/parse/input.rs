@@ -33,6 +33,16 @@ impl<'a> Tokens<'a> {
         self.first().is_some_and(|t| t.kind == kind)
     }
 
+    /// Whether the next token is that mark of gloss lines.
+    pub(crate) fn is_mark(self, mark: char) -> bool {
+        self.is(Kind::Mark(mark))
+    }
+
+    /// Whether no space stands between what was read, from here on, and the rest of it.
+    pub(crate) fn touches(self, after: Tokens<'a>) -> bool {
+        !after.is_empty() && self.span_to(after).end == after.span().start
+    }
+
     /// Past the next token.
     pub(crate) fn skip(self) -> Tokens<'a> {
         self.skip_n(1)

@@ -1,17 +1,18 @@
 //! Text to [`syntax`](super::syntax): line by line, so that a fault spoils one line and no more.
 
 pub(crate) mod configuration;
-mod input;
+pub(crate) mod input;
 pub(crate) mod motion;
 mod movement;
 pub(crate) mod nonmanual;
 mod orientation;
 pub(crate) mod placement;
+pub(crate) mod recombination;
 mod tier;
 mod whole;
-mod words;
+pub(crate) mod words;
 
-use super::lex::{Kind, Token, lex, lines};
+use super::lex::{Dialect, Kind, Token, lex, lines};
 use super::suggest::nearest;
 use super::syntax::{Content, File, Ignored, Line, TierLine, Value};
 use crate::diagnostics::{Diagnostic, Span, Spanned};
@@ -49,7 +50,7 @@ pub fn parse(text: &str) -> (File, Vec<Diagnostic>) {
     let mut faults = Vec::new();
     for (offset, raw) in lines(text) {
         let span = Ignored(Span::new(offset, offset + raw.len()));
-        match lex(raw, offset) {
+        match lex(raw, offset, Dialect::Sign) {
             Err(fault) => {
                 faults.push(*fault);
                 let begins_sign = raw.split_whitespace().next().is_some_and(|w| w.eq_ignore_ascii_case("sign"));
@@ -82,7 +83,8 @@ fn content(tokens: &[Token], faults: &mut Vec<Diagnostic>) -> Content {
     }
 }
 
-fn diagnostic(error: nom::Err<Mistake>, line: Tokens) -> Diagnostic {
+/// What is told where a line could not be read.
+pub(crate) fn diagnostic(error: nom::Err<Mistake>, line: Tokens) -> Diagnostic {
     match error {
         nom::Err::Error(Mistake::Told(fault)) | nom::Err::Failure(Mistake::Told(fault)) => *fault,
         nom::Err::Error(Mistake::Expected { at, what }) | nom::Err::Failure(Mistake::Expected { at, what }) => {
@@ -142,11 +144,9 @@ fn sign<'a>(input: Tokens<'a>) -> Parsed<'a, Content> {
         return told(Diagnostic::fault(rest.span(), "the name of this sign is empty").label("here"));
     }
     if after.is(Kind::Equals) {
-        return told(
-            Diagnostic::fault(after.span(), "signs made from other signs (recombination) are not available yet")
-                .label("here")
-                .hint("describe the sign by its own tiers for now"),
-        );
+        let (end, made) = must(recombination::expression(after.skip()))?;
+        let name = name.trim().nfc().collect();
+        return Ok((end, Content::Sign(Spanned::new(name, rest.span()), Some(made))));
     }
     if after.is(Kind::Word) {
         let all: Vec<&str> = rest.all().iter().take_while(|t| t.kind == Kind::Word).map(|t| t.text).collect();
@@ -157,7 +157,7 @@ fn sign<'a>(input: Tokens<'a>) -> Parsed<'a, Content> {
         );
     }
     let name = name.trim().nfc().collect();
-    Ok((after, Content::Sign(Spanned::new(name, rest.span()))))
+    Ok((after, Content::Sign(Spanned::new(name, rest.span()), None)))
 }
 
 fn tier<'a>(input: Tokens<'a>, hand: Option<Hand>) -> Parsed<'a, Value> {
@@ -243,6 +243,11 @@ const SYNONYMS: [(&str, &str); 17] = [
     ("touch", "contact"),
 ];
 
+/// Our word for a word of the field.
+pub(crate) fn synonym(word: &str) -> Option<&'static str> {
+    SYNONYMS.iter().find(|(said, _)| word.eq_ignore_ascii_case(said)).map(|(_, ours)| *ours)
+}
+
 fn no_tier<'a, T>(input: Tokens<'a>, hand: Option<Hand>) -> Parsed<'a, T> {
     let Some(token) = input.first() else {
         return expected(input, "a tier such as `configuration`");
@@ -272,8 +277,7 @@ fn no_tier<'a, T>(input: Tokens<'a>, hand: Option<Hand>) -> Parsed<'a, T> {
     }
     let known = TIERS.into_iter().filter(|t| *t != "at").chain(["sign", "language", "duration", "strong", "weak"]);
     let known = known.chain(Channel::ALL.map(Channel::name));
-    let synonym = SYNONYMS.iter().find(|(said, _)| word.eq_ignore_ascii_case(said));
-    told(match synonym.map(|(_, ours)| *ours).or_else(|| nearest(word, known)) {
+    told(match synonym(word).or_else(|| nearest(word, known)) {
         Some(near) => fault.hint(format!("did you mean `{near}`?")),
         None => fault.hint(format!(
             "tiers are {}, duration, {}",

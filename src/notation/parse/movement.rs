@@ -186,12 +186,18 @@ fn repetition<'a>(input: Tokens<'a>) -> Parsed<'a, Repetition> {
     } else {
         return expected(input, "a repetition");
     };
+    let (after, times) = times(rest, if kind == RepetitionKind::ToAndFro { "to and fro" } else { input.word() })?;
+    let (after, growth) = sign_of_growth(after)?;
+    Ok((after, Repetition { kind, times, growth }))
+}
+
+/// How often in all: `2`, `twice`, `several`.
+pub(crate) fn times<'a>(rest: Tokens<'a>, what: &str) -> Parsed<'a, u8> {
     let words = [("twice", 2), ("several", 3), ("thrice", 3), ("once", 1)];
     let (after, times) = match words.iter().find(|(w, _)| is_word(rest, w)) {
         Some((_, n)) => (rest.skip(), *n),
         None => match count(rest, MOST_TIMES) {
             Err(nom::Err::Error(_)) => {
-                let what = if kind == RepetitionKind::ToAndFro { "to and fro" } else { input.word() };
                 return told(
                     Diagnostic::fault(rest.span(), format!("`{what}` how often?"))
                         .label("a number is missing")
@@ -208,6 +214,6 @@ fn repetition<'a>(input: Tokens<'a>) -> Parsed<'a, Repetition> {
                 .hint("the number counts performances in all: `repeated 2` is once and once again"),
         );
     }
-    let (after, growth) = sign_of_growth(after)?;
-    Ok((after, Repetition { kind, times: times as u8, growth }))
+    // At most `MOST_TIMES`: checked above.
+    Ok((after, times as u8))
 }

@@ -42,7 +42,7 @@ pub(crate) const HEADS: [&str; 10] =
 /// How deep `between` may nest.
 const DEEPEST: usize = 16;
 /// The furthest coordinate, in metres.
-const FURTHEST_M: f64 = 10.0;
+pub(crate) const FURTHEST_M: f64 = 10.0;
 
 /// `[behind] [beside] PLACE [left|right] {, ATTRIBUTE}`
 pub(crate) fn placement<'a>(input: Tokens<'a>) -> Parsed<'a, Placement> {
@@ -129,7 +129,7 @@ pub(crate) fn place<'a>(input: Tokens<'a>, depth: usize) -> Parsed<'a, Place> {
         return space(input.skip());
     }
     if is_word(input, "point") {
-        return point(input.skip());
+        return point(input.skip()).map(|(rest, at)| (rest, Place::Point(at)));
     }
     if is_word(input, "pointing") {
         let (rest, ()) = must(keyword("at")(input.skip()))?;
@@ -153,17 +153,7 @@ pub(crate) fn space<'a>(input: Tokens<'a>) -> Parsed<'a, Place> {
     let mut said = [false; 3];
     let mut rest = input;
     loop {
-        let (axis, value) = match rest.word().to_ascii_lowercase().as_str() {
-            "left" => (0, 1),
-            "centre" | "center" => (0, 0),
-            "right" => (0, -1),
-            "high" => (1, 1),
-            "mid-height" => (1, 0),
-            "low" => (1, -1),
-            "far" => (2, 1),
-            "near" => (2, -1),
-            _ => return Ok((rest, Place::Space(cell))),
-        };
+        let Some((axis, value)) = step(rest.word()) else { return Ok((rest, Place::Space(cell))) };
         if said[axis] {
             return told(
                 Diagnostic::fault(rest.span(), "this axis of the space is said twice")
@@ -172,16 +162,39 @@ pub(crate) fn space<'a>(input: Tokens<'a>) -> Parsed<'a, Place> {
             );
         }
         said[axis] = true;
-        match axis {
-            0 => cell.left = value,
-            1 => cell.high = value,
-            _ => cell.far = value,
-        }
+        take_step(&mut cell, axis, value);
         rest = rest.skip();
     }
 }
 
-fn point<'a>(input: Tokens<'a>) -> Parsed<'a, Place> {
+/// The words of the grid: an axis (left, high, far) and a step on it.
+pub(crate) const STEPS: [(&str, (usize, i8)); 9] = [
+    ("left", (0, 1)),
+    ("centre", (0, 0)),
+    ("center", (0, 0)),
+    ("right", (0, -1)),
+    ("high", (1, 1)),
+    ("mid-height", (1, 0)),
+    ("low", (1, -1)),
+    ("far", (2, 1)),
+    ("near", (2, -1)),
+];
+
+/// The axis and the step of a word of the grid.
+pub(crate) fn step(word: &str) -> Option<(usize, i8)> {
+    STEPS.iter().find(|(name, _)| name.eq_ignore_ascii_case(word)).map(|(_, step)| *step)
+}
+
+/// Goes a step on an axis of the grid.
+pub(crate) fn take_step(cell: &mut Space, axis: usize, value: i8) {
+    match axis {
+        0 => cell.left = value,
+        1 => cell.high = value,
+        _ => cell.far = value,
+    }
+}
+
+pub(crate) fn point<'a>(input: Tokens<'a>) -> Parsed<'a, [f64; 3]> {
     let mut at = [0.0; 3];
     let mut rest = input;
     for coordinate in &mut at {
@@ -195,7 +208,7 @@ fn point<'a>(input: Tokens<'a>) -> Parsed<'a, Place> {
         *coordinate = value;
         rest = after;
     }
-    Ok((rest, Place::Point(at)))
+    Ok((rest, at))
 }
 
 fn three_numbers(error: nom::Err<super::input::Mistake>, at: Tokens) -> nom::Err<super::input::Mistake> {

@@ -1,6 +1,6 @@
 //! Single values as text.
 
-use crate::notation::lex::quote;
+use crate::notation::lex::{gloss_mark, quote};
 use crate::notation::lower::NAME_STOPS;
 use crate::notation::parse::motion::{CLOCK, size_name};
 use crate::notation::parse::{nonmanual, placement};
@@ -9,17 +9,19 @@ use crate::notation::syntax::{
     NonManual, NonManualWhat, Orientation, Place, Placement, Relocation, Values,
 };
 use crate::phonology::{
-    Amount, Digits, Forced, Hands, HandshapeChange, Overlay, Relation, Repetition, RepetitionKind, Side, Size,
+    Amount, Digits, Forced, Hands, HandshapeChange, Overlay, Relation, Repetition, RepetitionKind, Side, Size, Space,
 };
 use std::fmt;
 
 /// A name without quotes where it reads back as itself: no mark in it, no word that ends or begins something else.
-pub(super) fn bare(name: &str, stops: &[&str], heads: &[&str]) -> String {
+pub(crate) fn bare(name: &str, stops: &[&str], heads: &[&str]) -> String {
     let is = |word: &str, of: &[&str]| of.iter().any(|w| w.eq_ignore_ascii_case(word));
     let word = |w: &str| {
         !w.is_empty()
             && !w.contains(|c: char| c.is_whitespace() || c.is_control() || ",()=\"#\u{feff}".contains(c))
             && !w.starts_with(['“', '”', '„', '«', '‘', '’', '\''])
+            // Names read back in gloss lines too, which have more marks.
+            && !w.char_indices().any(|(i, _)| gloss_mark(&w[i..]).is_some())
             && !is(w, stops)
     };
     let first = name.split(' ').next().unwrap_or_default();
@@ -80,20 +82,13 @@ fn side(side: Side) -> &'static str {
     }
 }
 
-fn place(v: &Place) -> String {
+pub(super) fn place(v: &Place) -> String {
     match v {
         Place::Named(name) => bare(&name.value, &placement::STOPS, &placement::HEADS),
         Place::OtherHand(point) => format!("other {point}"),
         Place::Space(cell) => {
-            let word = |value: i8, minus, plus| match value {
-                -1 => Some(minus),
-                1 => Some(plus),
-                _ => None,
-            };
-            let axes =
-                [word(cell.left, "right", "left"), word(cell.high, "low", "high"), word(cell.far, "near", "far")];
-            let words: Vec<&str> = std::iter::once("space").chain(axes.into_iter().flatten()).collect();
-            if words.len() == 1 { "space centre".to_owned() } else { words.join(" ") }
+            let words: Vec<&str> = std::iter::once("space").chain(cell_words(*cell)).collect();
+            words.join(" ")
         }
         Place::Point([x, y, z]) => format!("point {x} {y} {z}"),
         Place::Between(a, b) => {
@@ -106,6 +101,18 @@ fn place(v: &Place) -> String {
         Place::Referent(name) => format!("referent {}", quote(name)),
         Place::Towards(at) => format!("pointing at {}", place(at)),
     }
+}
+
+/// The words of a cell of the grid, `centre` where it is the middle one.
+pub(crate) fn cell_words(cell: Space) -> Vec<&'static str> {
+    let word = |value: i8, minus, plus| match value {
+        -1 => Some(minus),
+        1 => Some(plus),
+        _ => None,
+    };
+    let axes = [word(cell.left, "right", "left"), word(cell.high, "low", "high"), word(cell.far, "near", "far")];
+    let words: Vec<&str> = axes.into_iter().flatten().collect();
+    if words.is_empty() { vec!["centre"] } else { words }
 }
 
 pub(super) fn placement(v: &Placement) -> String {
@@ -188,7 +195,7 @@ pub(super) fn hands(v: Hands) -> String {
     text
 }
 
-pub(super) fn nonmanual(v: &NonManual) -> String {
+pub(crate) fn nonmanual(v: &NonManual) -> String {
     let (mut text, comma) = match &v.what {
         NonManualWhat::Named(name) => (bare(&name.value, &nonmanual::STOPS, &nonmanual::HEADS), ""),
         NonManualWhat::Towards(heading) => (format!("towards {heading}"), ""),
@@ -315,7 +322,7 @@ fn repetition_text(v: Repetition) -> String {
     format!("{word} {}{}", v.times, growth(v.growth))
 }
 
-fn growth(v: i8) -> String {
+pub(super) fn growth(v: i8) -> String {
     let word = match v {
         0 => return String::new(),
         1.. => "growing",
@@ -324,7 +331,7 @@ fn growth(v: i8) -> String {
     if v.unsigned_abs() == 1 { format!(" {word}") } else { format!(" {word} {}", v.unsigned_abs()) }
 }
 
-pub(super) fn duration(v: Duration) -> String {
+pub(crate) fn duration(v: Duration) -> String {
     format!("{}{}", v.number, if v.milliseconds { "ms" } else { "s" })
 }
 

@@ -1,0 +1,117 @@
+//! What is to be rendered: signs of files, of standard input, of the lexicon by name; gloss lines.
+
+use super::super::{Failure, Sources, files, gloss, world};
+use super::Render;
+use crate::format::html::Page;
+use crate::notation::Vocabulary;
+use crate::phonology::Sign;
+use crate::phonology::grammar::fold;
+use crate::phonology::operator::for_left_hander;
+use crate::score::gloss::{Handedness, Reading, Settings};
+use crate::score::plan::Plan;
+use crate::synthesis::Grammar;
+use std::path::Path;
+
+/// Names of files are cut to so many characters: a gloss line may be longer than a file's name can be.
+const LONGEST_NAME: usize = 80;
+
+/// One thing to render: it becomes one performance, and one file in each format.
+pub(super) struct Asked {
+    /// The name of its files and of its messages.
+    pub name: String,
+    /// What is signed.
+    pub plan: Plan,
+    /// What a page says of it beside the motion.
+    pub page: Page,
+}
+
+/// All that a command line asks for, and whether some of its texts had faults.
+pub(super) struct Request {
+    /// In the order of the command line and of its files.
+    pub asked: Vec<Asked>,
+    /// Some text had a fault, which is told already; the sound rest is rendered.
+    pub faulty: bool,
+}
+
+/// Reads what a command line names.
+pub(super) fn request(
+    render: &Render,
+    sources: &Sources,
+    grammar: &Grammar,
+    vocabulary: &Vocabulary,
+) -> Result<Request, Failure> {
+    let mut signs = Vec::new();
+    let mut lines = Vec::new();
+    let mut faulty = false;
+    let mut lexicon = None;
+    let handedness = if render.left_handed { Handedness::Left } else { Handedness::Right };
+    for what in &render.what {
+        let path = Path::new(what);
+        if what != "-" && !what.ends_with(".sign") && !path.exists() {
+            let known = match &lexicon {
+                Some(known) => known,
+                None => lexicon.insert(world::lexicon(sources, vocabulary)?),
+            };
+            if gloss::is_line(what, known) {
+                let settings = Settings { language: render.language.clone(), handedness, ..Settings::default() };
+                let reading = gloss::read_line(what, known, grammar, vocabulary, &settings);
+                if reading.has_faults() {
+                    faulty = true;
+                } else {
+                    lines.push(of_line(what, reading));
+                }
+                continue;
+            }
+            let entry = known.find(what, render.language.as_deref());
+            signs.push(entry.map_err(|e| Failure::Faults(Some(e.to_string())))?.sign.clone());
+            continue;
+        }
+        let (described, faults) = world::described(sources, vocabulary, files::read_all(&[path.to_owned()])?)?;
+        faulty |= faults;
+        signs.extend(described.into_iter().map(|d| d.sign));
+    }
+    choose(&mut signs, &render.sign)?;
+    let by_signer = |sign: Sign| match handedness {
+        Handedness::Right => sign,
+        Handedness::Left => for_left_hander(&sign),
+    };
+    let mut asked: Vec<Asked> = signs.into_iter().map(by_signer).map(of_sign).collect();
+    asked.extend(lines);
+    Ok(Request { asked, faulty })
+}
+
+/// A gloss line: its name is the line itself.
+fn of_line(text: &str, reading: Reading) -> Asked {
+    let title = text.split_whitespace().collect::<Vec<_>>().join(" ");
+    let name = title.chars().filter(|c| !c.is_control()).take(LONGEST_NAME).collect();
+    let facts = vec![("status".to_owned(), "unverified".to_owned())];
+    Asked { name, plan: reading.plan, page: Page { title, language: reading.language, facts } }
+}
+
+/// Keeps the signs of these names; all of them where no name is given.
+fn choose(signs: &mut Vec<Sign>, names: &[String]) -> Result<(), Failure> {
+    if names.is_empty() {
+        return Ok(());
+    }
+    let wanted: Vec<String> = names.iter().map(|n| fold(n)).collect();
+    if let Some(missing) = wanted.iter().position(|w| !signs.iter().any(|s| fold(&s.name) == *w)) {
+        return Err(Failure::Faults(Some(format!("there is no sign {} in what was read", names[missing]))));
+    }
+    signs.retain(|s| wanted.contains(&fold(&s.name)));
+    Ok(())
+}
+
+fn of_sign(sign: Sign) -> Asked {
+    let mut facts: Vec<(String, String)> = Vec::new();
+    if !sign.meaning.is_empty() {
+        let meanings: Vec<String> =
+            sign.meaning.iter().map(|(language, words)| format!("{words} ({language})")).collect();
+        facts.push(("meaning".into(), meanings.join(", ")));
+    }
+    facts.extend(sign.source.iter().map(|s| ("source".into(), s.clone())));
+    let status = sign.status.clone().unwrap_or_else(|| "unverified".into());
+    facts.push(("status".into(), status));
+    facts.extend(sign.note.iter().map(|n| ("note".into(), n.clone())));
+    let page = Page { title: sign.name.clone(), language: sign.language.clone(), facts };
+    Asked { name: sign.name.clone(), plan: Plan::of(sign), page }
+}

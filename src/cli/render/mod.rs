@@ -1,0 +1,103 @@
+//! `chereme render`: signs to motion, as pages or files.
+
+mod input;
+mod output;
+
+use super::{Failure, Sources, terminal, world};
+use crate::avatar;
+use crate::diagnostics::Error;
+use crate::motion::easing::Easing;
+use crate::notation::Vocabulary;
+use crate::synthesis::{Options, synthesize_plan};
+use crate::time::Fps;
+use input::Request;
+use output::{Format, Outputs};
+
+#[derive(Debug, clap::Args)]
+#[command(
+    after_help = "Examples:\n  chereme render lexicon/lsf/bol.sign -o bol.html      a page: the avatar signs, open it in a browser\n  chereme render BOL -o bol.html -o bol.glb -o bol.eaf  several outputs at once\n  chereme render lexicon/lsf -o pages/                  one page a sign, into a folder\n  chereme render lexicon/lsf/alphabet.sign --sign A,B -o letters/ --format html,glb\n  chereme render \"BONJOUR, CHIEN BOL@left fs(LSF)\" -o line.html     a gloss line, as one motion\n  chereme render BOL --speed 0.5 --easing minimum-jerk -o slow.html"
+)]
+pub(super) struct Render {
+    /// Files or folders of signs, names of signs, gloss lines, or - for standard input
+    #[arg(value_name = "FILE|NAME|LINE", required = true)]
+    what: Vec<String>,
+    /// Where to: a file (.html, .glb, .eaf, .csv, .svg), a folder (ending in /) for one file a sign, or - for standard output; repeatable
+    #[arg(short, long, value_name = "OUT", required = true)]
+    output: Vec<String>,
+    /// Formats written into folders and to standard output
+    #[arg(long, value_name = "FORMAT", value_delimiter = ',', default_value = "html")]
+    format: Vec<Format>,
+    /// Only these signs of the files
+    #[arg(long, value_name = "NAME", value_delimiter = ',')]
+    sign: Vec<String>,
+    /// The language of signs given by name and of gloss lines, where several have one of that name
+    #[arg(long, value_name = "NAME")]
+    language: Option<String>,
+    /// The signer's strong hand is the left one; places in space stay where they are
+    #[arg(long)]
+    left_handed: bool,
+    /// Frames a second
+    #[arg(long, value_name = "N", default_value_t = Fps::DEFAULT.get())]
+    fps: f64,
+    /// How fast: 2 is twice as fast
+    #[arg(long, value_name = "FACTOR", default_value_t = 1.0)]
+    speed: f64,
+    /// How joints ease between poses: sigmoid, sigmoid:K, cosine, linear, minimum-jerk, paper-cosine, paper-sigmoid
+    #[arg(long, value_name = "NAME", default_value = "sigmoid")]
+    easing: Easing,
+    /// The paper's own procedure: the wrist is placed, it has no limits, the shoulder does not help
+    #[arg(long)]
+    paper: bool,
+    /// Overwrite files that are there
+    #[arg(long)]
+    force: bool,
+    /// Say nothing but faults
+    #[arg(short, long)]
+    quiet: bool,
+}
+
+impl Render {
+    pub(super) fn run(&self, sources: &Sources) -> Result<(), Failure> {
+        let options = self.options()?;
+        let grammar = world::grammar(sources)?;
+        let vocabulary = Vocabulary::of(&grammar.handshapes, &grammar.locations, &grammar.expressions);
+        let outputs = Outputs::of(self, &vocabulary)?;
+        let Request { asked, mut faulty } = input::request(self, sources, &grammar, &vocabulary)?;
+        if asked.is_empty() && !faulty {
+            return Err(Failure::Faults(Some("there is no sign to render".into())));
+        }
+        outputs.check(&asked)?;
+        let failed = |e: Error| Failure::Faults(Some(e.to_string()));
+        let signer = avatar::signer().map_err(failed)?;
+        for asked in &asked {
+            // What one sign cannot do does not keep the others from being written.
+            let performance = match synthesize_plan(&asked.plan, &grammar, &signer, &options) {
+                Ok(performance) => performance,
+                Err(error) => {
+                    terminal::err(&format!("chereme: {error}\n"));
+                    faulty = true;
+                    continue;
+                }
+            };
+            for warning in &performance.report.warnings {
+                terminal::err(&format!("warning: {}: {warning}\n", asked.name));
+            }
+            let whole = performance.track.clip.duration();
+            let sign = performance.report.sign_end - performance.report.stroke_start;
+            for path in outputs.write(asked, &performance.track)? {
+                if !self.quiet {
+                    terminal::err(&format!("{}: {} ({whole}, the sign {sign})\n", asked.name, path.display()));
+                }
+            }
+        }
+        if faulty { Err(Failure::Faults(None)) } else { Ok(()) }
+    }
+
+    /// The knobs of synthesis that the options state.
+    fn options(&self) -> Result<Options, Failure> {
+        let fps = Fps::new(self.fps).ok_or_else(|| {
+            Failure::Usage(format!("--fps {}: frames a second lie above 0 and up to {}", self.fps, Fps::MAX))
+        })?;
+        Ok(Options { fps, easing: self.easing, speed: self.speed, paper: self.paper, ..Options::default() })
+    }
+}

@@ -1,0 +1,284 @@
+//! A sign played backwards (Naert et al. 2021, §6: CLAIR backwards is FONCÉ).
+//!
+//! Every manual tier and contact runs from the last key to the first, each movement from its end to its start;
+//! non-manuals stay (the paper edits manual channels only). Simple movements are said in plain words (`up` becomes `down`);
+//! what has no plain reverse is wrapped in `backwards ( … )`.
+//!
+//! Backwards twice is the sign itself in its *normal form*: the place that a movement leads to stands at its key, the first
+//! value of a tier stands at the first key, what an orientation leaves open is filled from its neighbours, and a hand of which
+//! no place is said is at the neutral one. What was inverted once has that form, unless its text says `backwards` itself.
+
+use super::{manual, manual_mut, neutral};
+use crate::phonology::movement::{Action, Clock, Manner, Motion, Movement, RepetitionKind, WristMotion};
+use crate::phonology::orientation::Orientation;
+use crate::phonology::placement::Placement;
+use crate::phonology::sign::{Hands, Keys, Manual, Sign};
+use crate::phonology::{Direction, Hand, Heading};
+
+/// The sign backwards: configuration, placement, orientation, movement and contact.
+///
+/// ```
+/// use chereme::notation::{Vocabulary, read, write};
+/// use chereme::phonology::operator::inverted;
+/// let text = "sign A\n  configuration 5 then flat-O\n  placement chest\n  movement up 10cm\n";
+/// let sign = &read(text, &Vocabulary::builtin(), "").signs[0].sign;
+/// let back = write(&inverted(sign));
+/// assert!(back.contains("flat-O then 5") && back.contains("chest at end") && back.contains("down 10cm"), "{back}");
+/// ```
+pub fn inverted(sign: &Sign) -> Sign {
+    let mut back = inverted_movement(sign);
+    for hand in Hand::BOTH {
+        let own = manual(sign, hand);
+        let configuration = runs_reversed(&own.configuration, sign.intervals);
+        let orientation = runs_reversed(&filled(&own.orientation), sign.intervals);
+        let own = manual_mut(&mut back, hand);
+        own.configuration = configuration;
+        own.orientation = orientation;
+    }
+    back
+}
+
+/// The path alone backwards: placement, movement and contact.
+pub fn inverted_movement(sign: &Sign) -> Sign {
+    let mut back = sign.clone();
+    for hand in Hand::BOTH {
+        let normal = normal(sign, hand);
+        let own = manual_mut(&mut back, hand);
+        own.movement = movements(&normal);
+        own.placement = reversed(&normal.placement, sign.intervals);
+        // What stood inside `backwards` may say a place now.
+        targets_at_keys(own);
+    }
+    back.contact = reversed(&sign.contact, sign.intervals);
+    back
+}
+
+/// A hand's tiers with the places that movements lead to said at the keys, and the neutral place where none is said.
+fn normal(sign: &Sign, hand: Hand) -> Manual {
+    let mut own = manual(sign, hand).clone();
+    targets_at_keys(&mut own);
+    let acts = match (sign.hands, hand) {
+        (Hands::Strong | Hands::Both(_), Hand::Strong) | (Hands::Weak | Hands::Both(None), Hand::Weak) => true,
+        (Hands::Strong, Hand::Weak) | (Hands::Weak, Hand::Strong) => false,
+        // It follows the strong hand, unless it has a place or a movement of its own.
+        (Hands::Both(Some(_)), Hand::Weak) => false,
+    };
+    if acts && own.placement.is_empty() {
+        own.placement = Keys::one(neutral());
+    }
+    own
+}
+
+/// The places that movements lead to, said at the keys.
+fn targets_at_keys(own: &mut Manual) {
+    let mut places: Vec<(usize, Placement)> = own.placement.iter().map(|(k, p)| (k, p.clone())).collect();
+    for (interval, movement) in own.movement.iter_mut().enumerate() {
+        let key = interval + 1;
+        // A way back leads to where an earlier key says.
+        let returned = match movement {
+            Movement::Action(action) => match action.motion {
+                Motion::Return { key } => places.iter().find(|(k, _)| *k == key).map(|(_, p)| p.clone()),
+                _ => None,
+            },
+            _ => None,
+        };
+        let Some(target) = last_target(movement).or(returned) else { continue };
+        let stated = places.iter().find(|(k, _)| *k == key).map(|(_, p)| p.clone());
+        let plain = matches!(movement, Movement::Action(action) if action.repetition.is_none());
+        match stated {
+            None => places.push((key, target.clone())),
+            Some(stated) if stated == target => {}
+            // Two places at one key: the movement keeps its own.
+            Some(_) => continue,
+        }
+        if let Movement::Action(action) = movement
+            && plain
+        {
+            action.target = None;
+        }
+    }
+    places.sort_by_key(|(key, _)| *key);
+    own.placement = Keys::new(places).unwrap_or_default();
+}
+
+/// The place that a movement ends at.
+fn last_target(movement: &Movement) -> Option<Placement> {
+    match movement {
+        Movement::Action(action) => {
+            let returns = action.repetition.is_some_and(|r| r.kind == RepetitionKind::ToAndFro);
+            action.target.clone().filter(|_| !returns)
+        }
+        Movement::Sequence(parts) => parts.last().and_then(last_target),
+        Movement::Together(_) | Movement::Fused(_) | Movement::Backwards(_) => None,
+    }
+}
+
+/// The movements from the last interval to the first, each backwards.
+fn movements(own: &Manual) -> Vec<Movement> {
+    let one = |(interval, movement): (usize, &Movement)| {
+        let movement = plain_words(movement);
+        // A movement to a stated place from one that only the movements before lead to: only going back from the key
+        // after finds where it ends.
+        let from_nowhere = own.placement.stated(interval + 1).is_some()
+            && own.placement.stated(interval).is_none()
+            && own.placement.iter().any(|(key, _)| key < interval);
+        match movement {
+            Movement::Backwards(inner) => *inner,
+            movement if from_nowhere => Movement::Backwards(Box::new(movement)),
+            movement => rewritten(&movement).unwrap_or_else(|| Movement::Backwards(Box::new(movement))),
+        }
+    };
+    own.movement.iter().enumerate().rev().map(one).collect()
+}
+
+/// `backwards ( … )` around what has a plain reverse, in plain words.
+fn plain_words(movement: &Movement) -> Movement {
+    match movement {
+        Movement::Backwards(inner) => match plain_words(inner) {
+            Movement::Backwards(twice) => *twice,
+            inner => rewritten(&inner).unwrap_or_else(|| Movement::Backwards(Box::new(inner))),
+        },
+        other => other.clone(),
+    }
+}
+
+/// A movement backwards in plain words; `None` where there are none.
+fn rewritten(movement: &Movement) -> Option<Movement> {
+    let all = |parts: &[Movement]| parts.iter().map(part).collect::<Option<Vec<_>>>();
+    let backwards = |parts: Option<Vec<Movement>>| parts.map(|all| all.into_iter().rev().collect::<Vec<_>>());
+    match movement {
+        Movement::Action(action) => action_backwards(action).map(|a| Movement::Action(Box::new(a))),
+        Movement::Sequence(parts) => backwards(all(parts)).map(Movement::Sequence),
+        Movement::Together(parts) => all(parts).map(Movement::Together),
+        Movement::Fused(parts) => backwards(all(parts)).map(Movement::Fused),
+        Movement::Backwards(_) => None,
+    }
+}
+
+/// A part of a group backwards; `None` where a place or a key in it says where it goes.
+fn part(movement: &Movement) -> Option<Movement> {
+    if goes_somewhere(movement) {
+        return None;
+    }
+    match movement {
+        Movement::Backwards(inner) => Some((**inner).clone()),
+        other => Some(rewritten(other).unwrap_or_else(|| Movement::Backwards(Box::new(other.clone())))),
+    }
+}
+
+fn goes_somewhere(movement: &Movement) -> bool {
+    match movement {
+        Movement::Action(action) => action.target.is_some() || matches!(action.motion, Motion::Return { .. }),
+        Movement::Sequence(parts) | Movement::Together(parts) | Movement::Fused(parts) => {
+            parts.iter().any(goes_somewhere)
+        }
+        Movement::Backwards(inner) => goes_somewhere(inner),
+    }
+}
+
+fn action_backwards(action: &Action) -> Option<Action> {
+    let grows = action.repetition.is_some_and(|r| r.growth != 0);
+    if action.target.is_some() || grows {
+        return None;
+    }
+    let manner = action.manner.iter().map(|manner| match manner {
+        // A rest before it becomes a stop after it.
+        Manner::Rest => Manner::Halt,
+        Manner::Halt => Manner::Rest,
+        Manner::Fast | Manner::Slow | Manner::Tense => *manner,
+    });
+    let to_and_fro = action.repetition.is_some_and(|r| r.kind == RepetitionKind::ToAndFro);
+    // There and back again is its own reverse.
+    let motion = if to_and_fro { action.motion.clone() } else { motion_backwards(&action.motion)? };
+    Some(Action { motion, manner: manner.collect(), ..action.clone() })
+}
+
+fn motion_backwards(motion: &Motion) -> Option<Motion> {
+    let opposite = |heading: Heading| heading.map(|d| d.opposite());
+    Some(match motion {
+        Motion::Hold | Motion::Change | Motion::Wiggle(_) => motion.clone(),
+        Motion::Wrist(wrist, size) => Motion::Wrist(
+            match wrist {
+                WristMotion::StirClockwise => WristMotion::StirCounterclockwise,
+                WristMotion::StirCounterclockwise => WristMotion::StirClockwise,
+                WristMotion::Nod | WristMotion::Swing | WristMotion::Twist => *wrist,
+            },
+            *size,
+        ),
+        Motion::Straight { direction, extent, overlay: None } => {
+            Motion::Straight { direction: opposite(*direction), extent: *extent, overlay: None }
+        }
+        Motion::Arc { direction, extent, bulge, depth, overlay: None } => Motion::Arc {
+            direction: opposite(*direction),
+            extent: *extent,
+            bulge: *bulge,
+            depth: *depth,
+            overlay: None,
+        },
+        // Waves begin to one side, and end there only backwards.
+        Motion::Straight { .. } | Motion::Arc { .. } | Motion::Return { .. } => return None,
+        Motion::Circle { growth, .. } if *growth != 0 => return None,
+        Motion::Circle { axis, extent, start, turns, ellipse, growth } => {
+            let eighths = turns * 8.0;
+            if eighths.fract() != 0.0 || eighths > 1e6 {
+                return None;
+            }
+            // Seen from the other side, the clock runs the other way and starts where it ended.
+            let end = (u32::from(start.eighths()) + eighths as u32) % 8;
+            Motion::Circle {
+                axis: axis.opposite(),
+                extent: *extent,
+                start: Clock::new(((8 - end) % 8) as u8)?,
+                turns: *turns,
+                ellipse: *ellipse,
+                growth: *growth,
+            }
+        }
+    })
+}
+
+/// Values that hold at their own keys, from the last key to the first.
+fn reversed<T: Clone>(keys: &Keys<T>, last: usize) -> Keys<T> {
+    let all: Vec<(usize, &T)> = keys.iter().filter(|(key, _)| *key <= last).collect();
+    Keys::new(all.into_iter().rev().map(|(key, value)| (last - key, value.clone())).collect()).unwrap_or_default()
+}
+
+/// Values that hold until the next one, from the last key to the first.
+fn runs_reversed<T: Clone>(keys: &Keys<T>, last: usize) -> Keys<T> {
+    let all: Vec<(usize, &T)> = keys.iter().filter(|(key, _)| *key <= last).collect();
+    let ends = all.iter().skip(1).map(|(next, _)| next - 1).chain([last]);
+    let mut runs: Vec<(usize, T)> =
+        all.iter().zip(ends).map(|((_, value), end)| (last - end, (*value).clone())).collect();
+    runs.reverse();
+    Keys::new(runs).unwrap_or_default()
+}
+
+/// Orientations with what each leaves open filled from those before it, then from those after it.
+///
+/// Where the neighbour's direction would lie along the own one, the hand is turned by a right angle instead: a palm does
+/// not face along the fingers, and what is left open would be read as the neighbour's.
+pub(super) fn filled(keys: &Keys<Orientation>) -> Keys<Orientation> {
+    let mut all: Vec<(usize, Orientation)> = keys.iter().map(|(key, o)| (key, *o)).collect();
+    let fill = |into: &mut Orientation, from: Orientation| {
+        into.palm = into.palm.or_else(|| across(from.palm, into.fingers, from.fingers));
+        into.fingers = into.fingers.or_else(|| across(from.fingers, into.palm, from.palm));
+    };
+    for i in 1..all.len() {
+        let before = all[i - 1].1;
+        fill(&mut all[i].1, before);
+    }
+    for i in (1..all.len()).rev() {
+        let after = all[i].1;
+        fill(&mut all[i - 1].1, after);
+    }
+    Keys::new(all).unwrap_or_default()
+}
+
+/// A direction to take over, unless it lies along `own`: then `instead`, or any direction across.
+fn across(wanted: Option<Heading>, own: Option<Heading>, instead: Option<Heading>) -> Option<Heading> {
+    let wanted = wanted?;
+    let Some(own) = own else { return Some(wanted) };
+    let is_across = |heading: &Heading| heading.vector().cross(own.vector()).length() > 0.1;
+    let any = || Direction::all().map(Heading::Toward).find(|heading| heading.vector().dot(own.vector()).abs() < 0.1);
+    Some(wanted).filter(is_across).or_else(|| instead.filter(is_across)).or_else(any)
+}

@@ -1,0 +1,159 @@
+//! What the weak hand does when it follows the strong one.
+
+use super::configuration::Configuration;
+use super::direction::{Direction, Heading};
+use super::hand::{Hand, HandPoint, Side};
+use super::movement::{Action, Movement};
+use super::orientation::Orientation;
+use super::placement::{Contact, Lateral, Place, Placement, Space};
+use super::sign::{Hands, Keys, Manual, Relation, Sign, Symmetry};
+use glam::DVec3;
+
+/// Whether a hand takes turns with the other.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Turns {
+    /// It follows the other hand: movements marked as alternating put it half a cycle behind.
+    pub follower: bool,
+    /// All its movements are half a cycle behind.
+    pub behind: bool,
+}
+
+impl Turns {
+    /// Whether an action is half a cycle behind.
+    pub fn behind(self, action: &Action) -> bool {
+        self.behind || self.follower && action.alternating
+    }
+}
+
+/// The tiers of one hand with everything that follows from a symmetry filled in.
+#[derive(Debug, Clone)]
+pub struct Resolved {
+    /// Configuration at keys; empty where nothing is said.
+    pub configuration: Keys<Configuration>,
+    /// Placement at keys.
+    pub placement: Keys<Placement>,
+    /// Orientation at keys.
+    pub orientation: Keys<Orientation>,
+    /// Movement in intervals; empty where the hand is only carried from key to key.
+    pub movement: Vec<Movement>,
+    /// The signs that the movement's paths are multiplied by (−1 for an exchanged axis).
+    pub signs: DVec3,
+    /// Whether this hand takes turns with the other.
+    pub turns: Turns,
+}
+
+/// Whether a hand acts in a sign.
+pub fn acts(sign: &Sign, hand: Hand) -> bool {
+    match (sign.hands, hand) {
+        (Hands::Strong, Hand::Strong) | (Hands::Weak, Hand::Weak) | (Hands::Both(_), _) => true,
+        (Hands::Strong, Hand::Weak) | (Hands::Weak, Hand::Strong) => false,
+    }
+}
+
+/// The tiers of a hand of a sign.
+pub fn resolve(sign: &Sign, hand: Hand) -> Resolved {
+    let own = match hand {
+        Hand::Strong => &sign.strong,
+        Hand::Weak => &sign.weak,
+    };
+    match (sign.hands, hand) {
+        (Hands::Both(Some(symmetry)), Hand::Weak) => following(&sign.strong, own, symmetry),
+        (Hands::Both(Some(symmetry)), Hand::Strong) if symmetry.crossed => {
+            let placement = map_keys(&own.placement, |p| crossed(p, Hand::Strong));
+            Resolved { placement, ..plain(own) }
+        }
+        (Hands::Both(None), Hand::Weak) if own.configuration.is_empty() => {
+            // Two hands without a symmetry: a weak hand of which nothing is said has the strong one's shape.
+            Resolved { configuration: sign.strong.configuration.clone(), ..plain(own) }
+        }
+        _ => plain(own),
+    }
+}
+
+fn plain(own: &Manual) -> Resolved {
+    Resolved {
+        configuration: own.configuration.clone(),
+        placement: own.placement.clone(),
+        orientation: own.orientation.clone(),
+        movement: own.movement.clone(),
+        signs: DVec3::ONE,
+        turns: Turns::default(),
+    }
+}
+
+fn following(strong: &Manual, own: &Manual, symmetry: Symmetry) -> Resolved {
+    let exchange = |d: Direction| {
+        let d = if symmetry.relation == Relation::Mirrored { d.mirrored() } else { d };
+        let d = if symmetry.up_down { d.flipped_up_down() } else { d };
+        if symmetry.out_in { d.flipped_out_in() } else { d }
+    };
+    let sign = |exchanged: bool| if exchanged { -1.0 } else { 1.0 };
+    let stated_movement = !own.movement.is_empty();
+    let turn = |o: &Orientation| {
+        let heading = |h: Heading| h.map(exchange);
+        Orientation { fingers: o.fingers.map(heading), palm: o.palm.map(heading), ..*o }
+    };
+    let place = |p: &Placement| {
+        let mirrored = mirrored(p, &exchange, symmetry);
+        if symmetry.crossed { crossed(&mirrored, Hand::Weak) } else { mirrored }
+    };
+    Resolved {
+        configuration: or_else(&own.configuration, || strong.configuration.clone()),
+        placement: or_else(&own.placement, || map_keys(&strong.placement, place)),
+        orientation: or_else(&own.orientation, || map_keys(&strong.orientation, turn)),
+        movement: if stated_movement { own.movement.clone() } else { strong.movement.clone() },
+        signs: if stated_movement {
+            DVec3::ONE
+        } else {
+            let mirrored = symmetry.relation == Relation::Mirrored;
+            DVec3::new(sign(mirrored), sign(symmetry.up_down), sign(symmetry.out_in))
+        },
+        turns: Turns { follower: true, behind: symmetry.alternating },
+    }
+}
+
+fn or_else<T: Clone>(own: &Keys<T>, other: impl Fn() -> Keys<T>) -> Keys<T> {
+    if own.is_empty() { other() } else { own.clone() }
+}
+
+pub(super) fn map_keys<T, U>(keys: &Keys<T>, f: impl Fn(&T) -> U) -> Keys<U> {
+    Keys::new(keys.iter().map(|(k, v)| (k, f(v))).collect()).unwrap_or_default()
+}
+
+/// A placement for the other hand of a symmetry.
+fn mirrored(p: &Placement, exchange: &impl Fn(Direction) -> Direction, symmetry: Symmetry) -> Placement {
+    let left_right = symmetry.relation == Relation::Mirrored;
+    let lateral = p.lateral.map(|l| if left_right { Lateral { side: l.side.other(), ..l } } else { l });
+    let offset = p.offset.map(|(d, metres)| (exchange(d), metres));
+    Placement { place: mirrored_place(&p.place, left_right), lateral, offset, ..p.clone() }
+}
+
+pub(super) fn mirrored_place(place: &Place, left_right: bool) -> Place {
+    match place {
+        Place::Space(cell) if left_right => Place::Space(Space { left: -cell.left, ..*cell }),
+        Place::Point(p) if left_right => Place::Point(DVec3::new(-p.x, p.y, p.z)),
+        Place::Between(a, b) => {
+            Place::Between(Box::new(mirrored_place(a, left_right)), Box::new(mirrored_place(b, left_right)))
+        }
+        Place::Towards(at) => Place::Towards(Box::new(mirrored_place(at, left_right))),
+        other => other.clone(),
+    }
+}
+
+/// The hands crossed over: each on the other's side.
+pub(super) fn crossed(p: &Placement, hand: Hand) -> Placement {
+    let other_side = match hand {
+        Hand::Strong => Side::Left,
+        Hand::Weak => Side::Right,
+    };
+    let lateral = p.lateral.or(Some(Lateral { side: other_side, beside: false }));
+    Placement { lateral, ..p.clone() }
+}
+
+/// A contact seen from a hand: its own point, and the other's.
+pub fn points(contact: &Contact, hand: Hand) -> (HandPoint, HandPoint) {
+    match hand {
+        Hand::Strong => (contact.strong, contact.weak),
+        Hand::Weak => (contact.weak, contact.strong),
+    }
+}

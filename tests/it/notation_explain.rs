@@ -1,0 +1,123 @@
+//! Signs in plain words, in English and French.
+
+use crate::signing::{sign, signs_of};
+use crate::strategies::{self, Words};
+use chereme::notation::{Tongue, explain_in};
+use chereme::phonology::operator::Operator;
+use chereme::phonology::recombination::{Base, Recombination};
+use chereme::phonology::{Configuration, Keys, LocationInventory, Sign};
+use proptest::prelude::*;
+
+fn french(sign: &Sign) -> String {
+    explain_in(sign, None, Tongue::French(&LocationInventory::builtin()))
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(128))]
+    #[test]
+    fn every_sign_is_explained(sign in strategies::sign(Words::any())) {
+        let names = LocationInventory::builtin();
+        let english = explain_in(&sign, None, Tongue::English);
+        let french = explain_in(&sign, None, Tongue::French(&names));
+        for said in [&english, &french] {
+            prop_assert!(said.starts_with(&sign.name));
+            prop_assert!(said.lines().count() >= 5, "{said}");
+        }
+        // The same tiers in both.
+        let tiers = |said: &str, of: [&str; 2]| of.map(|of| said.matches(of).count());
+        let counted = tiers(&english, ["\n  strong hand ", "\n  weak hand "]);
+        prop_assert_eq!(counted, tiers(&french, ["\n  la main dominante, ", "\n  la main dominée, "]));
+    }
+}
+
+#[test]
+fn the_bowl_in_french() {
+    let bowl = sign(
+        "sign BOL\n meaning en \"bowl\", fr \"bol\"\n hands both mirrored\n configuration round-B, thumb out\n \
+         placement chest, 24cm away\n orientation fingers out-left, palm up then fingers out, palm up-left\n \
+         contact strong pinky-side touches weak pinky-side at start\n movement arc up-right 15cm bulging down-right\n",
+    );
+    let said = french(&bowl);
+    let expected = "\
+BOL, un signe de la langue lsf : « bowl » (en), « bol » (fr)
+  les mains : les deux, la main dominée en miroir de la main dominante (selon le texte)
+  postures et mouvements : 2 postures, 1 mouvement entre elles (d'après le nombre de valeurs)
+  la main dominante, configuration : round-B, le pouce écarté (selon le texte)
+  la main dominante, emplacement : à 24 cm de la poitrine (selon le texte)
+  la main dominante, orientation : doigts vers l'avant et la gauche, paume vers le haut, puis doigts vers l'avant, \
+                    paume vers le haut et la gauche (selon le texte)
+  la main dominante, mouvement : arc de 15 cm vers le haut et la droite, bombé vers le bas et la droite (selon le texte)
+  la main dominée, configuration : en miroir de la main dominante (par symétrie)
+  la main dominée, emplacement : en miroir de la main dominante (par symétrie)
+  la main dominée, orientation : en miroir de la main dominante (par symétrie)
+  la main dominée, mouvement : en miroir de la main dominante (par symétrie)
+  le contact : le bord de l'auriculaire de la main dominante touche le bord de l'auriculaire de la main dominée (selon le texte)
+  la durée : d'après la longueur et le genre des mouvements (par défaut)
+";
+    assert_eq!(said, expected, "\n{said}");
+}
+
+#[test]
+fn french_articles_contract() {
+    let line = |tier: &str, word: &str| {
+        let said = french(&sign(&format!("sign X\n {tier}\n")));
+        let line = said.lines().find(|l| l.contains(word)).unwrap_or_else(|| panic!("{said}"));
+        let said = line.split_once(" : ").map_or(line, |(_, said)| said);
+        said.trim_end_matches(" (selon le texte)").to_owned()
+    };
+    let placed = |placement: &str| line(&format!("placement {placement}"), "emplacement");
+    assert_eq!(placed("forehead"), "au front");
+    assert_eq!(placed("eyes, close"), "à proximité des yeux");
+    assert_eq!(
+        placed("cheek right, touch, with index middle tip"),
+        "au contact de la joue, du côté droit, avec le bout de l'index et du majeur"
+    );
+    assert_eq!(placed("other palm"), "à la paume de l'autre main");
+    assert_eq!(placed("other elbow, 2.5cm away"), "à 2,5 cm du coude de l'autre bras");
+    assert_eq!(placed("space left high"), "à l'espace devant le signeur (à gauche, en haut)");
+    let moved = |movement: &str| line(&format!("movement {movement}"), "mouvement :");
+    assert_eq!(
+        moved("down 8cm, fast repeated twice"),
+        "trajet droit de 8 cm vers le bas, rapidement, 2 fois en tout, en revenant chaque fois au départ"
+    );
+    assert_eq!(moved("to chin, touch"), "passage à la posture suivante, jusqu'au contact du menton");
+    assert_eq!(
+        moved("circle axis out radius 6cm from 9 turns 2"),
+        "cercle de 6 cm de rayon dans le sens horaire pour qui regarde vers l'avant, depuis 9 heures, 2 tours"
+    );
+    assert_eq!(
+        moved("left 20cm while wiggle index middle"),
+        "trajet droit de 20 cm vers la gauche et en même temps jeu de l'index et du majeur"
+    );
+    assert_eq!(
+        line("configuration flat, index middle hooked", "configuration :"),
+        "flat, l'index et le majeur recourbés"
+    );
+    assert_eq!(line("brows raised slight", "sourcils"), "« raised », légèrement");
+}
+
+#[test]
+fn a_derived_sign_in_french() {
+    let operators = vec![Operator::Configuration(None, Keys::one(Configuration::named("U"))), Operator::Inverted];
+    let from = Recombination { base: Base::Named("ESCARGOT".into()), operators };
+    let said = explain_in(&Sign::named("X"), Some(&from), Tongue::French(&LocationInventory::builtin()));
+    assert!(said.contains("fait à partir de : ESCARGOT, avec la configuration U, joué à rebours"), "{said}");
+}
+
+#[test]
+fn no_place_of_the_inventory_lacks_its_french_name() {
+    for row in LocationInventory::builtin().rows() {
+        let article = ["le ", "la ", "les ", "l'"].iter().any(|a| row.french.starts_with(a));
+        assert!(article, "{}: {:?}", row.id, row.french);
+    }
+}
+
+#[test]
+fn no_sign_of_the_lexicon_is_explained_with_an_uncontracted_article() {
+    for sign in signs_of("lsf") {
+        let said = french(&sign);
+        for wrong in [" de le ", " de les ", " à le ", " à les ", "  (", ", ,"] {
+            assert!(!said.contains(wrong), "{wrong:?} in\n{said}");
+        }
+    }
+}
