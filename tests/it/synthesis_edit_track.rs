@@ -85,7 +85,13 @@ fn inverted_the_stroke_ends_where_it_began_and_the_face_stays() {
     assert_eq!(labels(&fonce, "RH Configuration"), ["5", "flat-O"]);
     let spans =
         |t: &Track| t.tier("RH Configuration").unwrap().values().iter().map(|v| (v.start, v.end)).collect::<Vec<_>>();
-    assert_eq!(spans(&fonce), spans(&clair));
+    for (found, wanted) in spans(&fonce).iter().zip(spans(&clair)) {
+        // Counted back from the end, a time may differ in its last bit.
+        assert!(
+            (found.0.0 - wanted.0.0).abs() < 1e-9 && (found.1.0 - wanted.1.0).abs() < 1e-9,
+            "{found:?}, {wanted:?}"
+        );
+    }
 }
 
 #[test]
