@@ -28,6 +28,15 @@ const LEAST_WIDTH: usize = "configuration".len();
 /// assert_eq!(print(&file), "sign BOL  # a bowl\n  hands          both mirrored\n");
 /// ```
 pub fn print(file: &File) -> String {
+    let is_broken = |line: &Line| matches!(line.content, Some(Content::Broken { .. }));
+    if !file.lines.iter().any(is_broken) {
+        return print_sound(file);
+    }
+    // What is left out must not lend its place to the comments beside it: read again, it would be gone.
+    print_sound(&File { lines: file.lines.iter().filter(|line| !is_broken(line)).cloned().collect() })
+}
+
+fn print_sound(file: &File) -> String {
     let mut out = String::new();
     let mut width = LEAST_WIDTH;
     let mut blank = true;

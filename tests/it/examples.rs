@@ -24,7 +24,7 @@ fn labels(lines: &str, before: usize) -> Vec<String> {
 #[test]
 fn a_text_becomes_a_track() {
     let tiers = text_to_track::tiers().unwrap();
-    assert!(tiers.lines().any(|l| l.starts_with("RH Movement") && l.ends_with("arc up-right")), "{tiers}");
+    assert!(tiers.lines().any(|l| l.starts_with("RH Movement") && l.ends_with("arc up-right 15cm")), "{tiers}");
     assert!(tiers.lines().any(|l| l.starts_with("LH Configuration") && l.ends_with("round-B")), "{tiers}");
 }
 

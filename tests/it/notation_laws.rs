@@ -146,6 +146,13 @@ proptest! {
 }
 
 #[test]
+fn comments_stay_beside_lines_that_are_left_out() {
+    for text in ["sign\n#\n  configuration  sign\n#\n", "sign \n  hands both\n# a\n\n# b\n", "sign X\nsign\n#\n"] {
+        survives(text, &Vocabulary::open()).unwrap();
+    }
+}
+
+#[test]
 fn great_and_deep_texts_are_refused_in_time() {
     let open = Vocabulary::open();
     let deep = format!("sign A\n movement {}up\n", "( ".repeat(100_000));

@@ -103,7 +103,7 @@ fn exchanged_and_mirrored_tracks_take_their_tiers_along() {
     assert!(own >= 5 && count(&source, "LH ") == 0);
     let swapped = track::swapped(&source, signer).unwrap();
     assert_eq!((count(&swapped, "RH "), count(&swapped, "LH ")), (0, own));
-    assert_eq!(labels(&swapped, "LH Movement"), ["left"]);
+    assert_eq!(labels(&swapped, "LH Movement"), ["left 10cm"]);
     let again = track::swapped(&swapped, signer).unwrap();
     for tier in &source.tiers {
         assert_eq!(labels(&again, &tier.name), labels(&source, &tier.name));
