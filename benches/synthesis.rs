@@ -3,7 +3,7 @@
 //! `cargo bench --bench synthesis`. Beside each sign stands the time a frame; the program's line is the best of
 //! many runs of `render`, the process included. Machines are shared: read the ratios and the fastest column.
 
-use chereme::notation::{Vocabulary, read};
+use chereme::notation::Lexicon;
 use chereme::phonology::Sign;
 use chereme::synthesis::{Grammar, Options, synthesize};
 use divan::{Bencher, black_box};
@@ -14,24 +14,18 @@ use std::time::{Duration, Instant};
 static GRAMMAR: LazyLock<Grammar> = LazyLock::new(Grammar::builtin);
 static SIGNER: LazyLock<chereme::body::signer::Signer> = LazyLock::new(|| chereme::avatar::signer().unwrap());
 
-const SIGNS: [(&str, &str); 4] = [
-    ("PENSER", include_str!("../lexicon/lsf/penser.sign")),
-    ("BOL", include_str!("../lexicon/lsf/bol.sign")),
-    ("ESCARGOT", include_str!("../lexicon/lsf/escargot.sign")),
-    ("DODO", include_str!("../lexicon/lsf/dodo.sign")),
-];
+static LEXICON: LazyLock<Lexicon> = LazyLock::new(Lexicon::builtin);
 
-fn sign(name: &str) -> Sign {
-    let (_, text) = SIGNS.iter().find(|(n, _)| *n == name).expect("a sign of the list");
-    let mut reading = read(text, &Vocabulary::of(&GRAMMAR.handshapes, &GRAMMAR.locations, &GRAMMAR.expressions), "lsf");
-    assert!(reading.diagnostics.is_empty());
-    reading.signs.remove(0).sign
+const SIGNS: [&str; 4] = ["PENSER", "BOL", "ESCARGOT", "DODO"];
+
+fn sign(name: &str) -> &'static Sign {
+    &LEXICON.find(name, Some("lsf")).expect("a sign of the lexicon").sign
 }
 
 #[divan::bench(args = ["PENSER", "BOL", "ESCARGOT", "DODO"])]
 fn sign_to_clip(bencher: Bencher, name: &str) {
     let sign = sign(name);
-    let clip = || synthesize(black_box(&sign), &GRAMMAR, &SIGNER, &Options::default()).unwrap();
+    let clip = || synthesize(black_box(sign), &GRAMMAR, &SIGNER, &Options::default()).unwrap();
     bencher.bench_local(clip);
 }
 
@@ -46,15 +40,26 @@ fn best(rounds: usize, mut work: impl FnMut()) -> Duration {
 }
 
 fn main() {
-    for (name, _) in SIGNS {
+    for name in SIGNS {
         let sign = sign(name);
-        let frames = synthesize(&sign, &GRAMMAR, &SIGNER, &Options::default()).unwrap().track.clip.frames().len();
+        let frames = synthesize(sign, &GRAMMAR, &SIGNER, &Options::default()).unwrap().track.clip.frames().len();
         let time = best(400, || {
-            black_box(synthesize(black_box(&sign), &GRAMMAR, &SIGNER, &Options::default()).unwrap());
+            black_box(synthesize(black_box(sign), &GRAMMAR, &SIGNER, &Options::default()).unwrap());
         });
         let (whole, frame) = (time.as_secs_f64() * 1e3, time.as_secs_f64() * 1e6 / frames as f64);
         println!("{name}: {whole:.3} ms a sign, {frames} frames, {frame:.2} µs a frame");
     }
+    let all: Vec<&Sign> = LEXICON.entries().filter(|e| e.sign.language == "lsf").map(|e| &e.sign).collect();
+    let time = best(10, || {
+        for sign in &all {
+            black_box(synthesize(black_box(sign), &GRAMMAR, &SIGNER, &Options::default()).unwrap());
+        }
+    });
+    let (clips, each) = (all.len() as f64 / time.as_secs_f64(), time.as_secs_f64() * 1e3 / all.len() as f64);
+    println!(
+        "lexicon/lsf, {} signs and letters: {clips:.0} clips a second, {each:.2} ms a sign, on one core",
+        all.len()
+    );
     let out = std::env::temp_dir().join(format!("chereme-bench-{}.glb", std::process::id()));
     let run = |arguments: &[&str]| {
         let mut command = Command::new(env!("CARGO_BIN_EXE_chereme"));
