@@ -34,7 +34,7 @@ pub struct Resolved {
     pub placement: Keys<Placement>,
     /// Orientation at keys.
     pub orientation: Keys<Orientation>,
-    /// Movement in intervals; empty where the hand is only carried from key to key.
+    /// Movement in intervals, with the places that it leads to; empty where the hand is only carried from key to key.
     pub movement: Vec<Movement>,
     /// The signs that the movement's paths are multiplied by (−1 for an exchanged axis).
     pub signs: DVec3,
@@ -59,8 +59,9 @@ pub fn resolve(sign: &Sign, hand: Hand) -> Resolved {
     match (sign.hands, hand) {
         (Hands::Both(Some(symmetry)), Hand::Weak) => following(&sign.strong, own, symmetry),
         (Hands::Both(Some(symmetry)), Hand::Strong) if symmetry.crossed => {
-            let placement = map_keys(&own.placement, |p| crossed(p, Hand::Strong));
-            Resolved { placement, ..plain(own) }
+            let place = |p: &Placement| crossed(p, Hand::Strong);
+            let placement = map_keys(&own.placement, place);
+            Resolved { placement, movement: own.movement.iter().map(|m| placed(m, &place)).collect(), ..plain(own) }
         }
         (Hands::Both(None), Hand::Weak) if own.configuration.is_empty() => {
             // Two hands without a symmetry: a weak hand of which nothing is said has the strong one's shape.
@@ -101,7 +102,11 @@ fn following(strong: &Manual, own: &Manual, symmetry: Symmetry) -> Resolved {
         configuration: or_else(&own.configuration, || strong.configuration.clone()),
         placement: or_else(&own.placement, || map_keys(&strong.placement, place)),
         orientation: or_else(&own.orientation, || map_keys(&strong.orientation, turn)),
-        movement: if stated_movement { own.movement.clone() } else { strong.movement.clone() },
+        movement: if stated_movement {
+            own.movement.clone()
+        } else {
+            strong.movement.iter().map(|m| placed(m, &place)).collect()
+        },
         signs: if stated_movement {
             DVec3::ONE
         } else {
@@ -118,6 +123,22 @@ fn or_else<T: Clone>(own: &Keys<T>, other: impl Fn() -> Keys<T>) -> Keys<T> {
 
 pub(super) fn map_keys<T, U>(keys: &Keys<T>, f: impl Fn(&T) -> U) -> Keys<U> {
     Keys::new(keys.iter().map(|(k, v)| (k, f(v))).collect()).unwrap_or_default()
+}
+
+/// A movement with the places that it leads to and brushes changed.
+fn placed(movement: &Movement, place: &impl Fn(&Placement) -> Placement) -> Movement {
+    let all = |parts: &[Movement]| parts.iter().map(|m| placed(m, place)).collect();
+    match movement {
+        Movement::Action(action) => Movement::Action(Box::new(Action {
+            target: action.target.as_ref().map(place),
+            brushing: action.brushing.as_ref().map(place),
+            ..(**action).clone()
+        })),
+        Movement::Sequence(parts) => Movement::Sequence(all(parts)),
+        Movement::Together(parts) => Movement::Together(all(parts)),
+        Movement::Fused(parts) => Movement::Fused(all(parts)),
+        Movement::Backwards(inner) => Movement::Backwards(Box::new(placed(inner, place))),
+    }
 }
 
 /// A placement for the other hand of a symmetry.

@@ -78,7 +78,8 @@ impl Instant {
     pub fn play(&self, plan: &HandPlan) -> DQuat {
         let Some((placed, share)) = self.leg(plan) else { return DQuat::IDENTITY };
         let out = plan.side.sign();
-        let (flexion, radial, along) = (-DVec3::Z * out, -DVec3::Y * out, DVec3::X * out);
+        // A turn about the forearm is its own mirror image: both hands begin outward, palm up.
+        let (flexion, radial, along) = (-DVec3::Z * out, -DVec3::Y * out, -DVec3::X);
         let mut play = DQuat::IDENTITY;
         for w in &placed.leg.wrist {
             let phase = TAU * (share * w.cycles + w.phase);

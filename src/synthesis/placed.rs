@@ -42,11 +42,15 @@ impl Planner<'_> {
         // Where the hand is at each key that it has come to.
         let mut been = vec![start.clone()];
         let mut at = start.clone();
+        let derived = going_back(intervals, sites, 0).is_some();
         for (interval, legs) in intervals.iter().enumerate() {
             let first = placed.len();
+            // To and fro, with only a later place said: the hand began there too, so its way out does not lead there.
+            let unsaid = derived && sites[..=interval].iter().all(|site| site.anchor.is_none());
+            let returns = unsaid && way_of(legs) == Some(DVec3::ZERO);
             for leg in legs {
                 let from = at;
-                let stated = sites[interval + 1].anchor.as_ref().filter(|_| leg.posture.1 >= 1.0);
+                let stated = sites[interval + 1].anchor.as_ref().filter(|_| leg.posture.1 >= 1.0 && !returns);
                 let displaced = || from.clone().moved(leg.path.end());
                 let (end, by) = match &leg.end {
                     LegEnd::Off(end, by) => (&**end, *by),
@@ -78,12 +82,27 @@ pub(super) fn going_back(intervals: &[Vec<Leg>], sites: &[Site], key: usize) -> 
         if let Some(anchor) = &site.anchor {
             return Some(anchor.clone().moved(-way));
         }
-        for leg in legs? {
-            if leg.end != LegEnd::Displaced {
-                return None;
-            }
-            way += leg.path.end();
-        }
+        way += way_of(legs?)?;
     }
     None
+}
+
+/// How far an interval leads, where the paths of its legs alone say it.
+fn way_of(legs: &[Leg]) -> Option<DVec3> {
+    let (mut starts, mut at) = (Vec::with_capacity(legs.len()), DVec3::ZERO);
+    for leg in legs {
+        starts.push(at);
+        let there = at + leg.path.end();
+        at = match &leg.end {
+            LegEnd::Displaced => there,
+            LegEnd::StartOf(earlier) => *starts.get(*earlier)?,
+            // Backwards from a place, without a path that says how far.
+            LegEnd::NextKey | LegEnd::Off(..) if leg.path.closes() => return None,
+            // The interval's own end, where the legs after it lead as well.
+            LegEnd::NextKey => return Some(there),
+            LegEnd::Off(end, by) if **end == LegEnd::NextKey => return Some(there - *by),
+            LegEnd::At(_) | LegEnd::AtKey(_) | LegEnd::Off(..) => return None,
+        };
+    }
+    Some(at)
 }

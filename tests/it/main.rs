@@ -47,4 +47,5 @@ mod synthesis_edit_track;
 mod synthesis_face;
 mod synthesis_path;
 mod synthesis_plan;
+mod synthesis_routes;
 mod synthesis_sign;

@@ -1,11 +1,13 @@
-//! Random smooth motion on the avatar's rig, and measuring wrists and hands in clips.
+//! Random smooth motion on the avatar's rig, and measuring wrists and hands in clips and tracks.
 
 use crate::signing::world;
 use chereme::motion::clip::{Clip, Frame};
 use chereme::motion::rotation::{angle_between, continuous, from_vector};
 use chereme::motion::skeleton::JointId;
 use chereme::phonology::Side;
-use chereme::time::Fps;
+use chereme::synthesis::edit::track::Phases;
+use chereme::time::{Fps, Seconds};
+use chereme::track::Track;
 use glam::{DQuat, DVec3};
 use proptest::prelude::*;
 
@@ -106,4 +108,30 @@ pub fn same_but(a: &Clip, b: &Clip, joints: &[JointId]) -> bool {
             && others.into_iter().all(|j| f.pose.rotation(j) == g.pose.rotation(j))
     };
     a.frames().len() == b.frames().len() && a.frames().iter().zip(b.frames()).all(same)
+}
+
+/// From one instant to another.
+pub type Stretch = (Seconds, Seconds);
+
+/// How far two clips' wrists are apart, metres, and how differently their hands are turned, radians: the worst at the
+/// same shares of a stretch of each.
+pub fn stretches_apart((a, of_a): (&Clip, Stretch), (b, of_b): (&Clip, Stretch), side: Side) -> (f64, f64) {
+    let signer = &world().signer;
+    let mut worst = (0.0f64, 0.0f64);
+    for i in 0..=40 {
+        let share = f64::from(i) / 40.0;
+        let [p, q] = [(a, of_a), (b, of_b)].map(|(clip, (start, end))| {
+            let model = clip.sample(start + (end - start) * share).pose.to_model(&signer.skeleton);
+            let hand = signer.arm(side).hand;
+            (model.position(hand), model.rotation(hand))
+        });
+        worst = (worst.0.max(p.0.distance(q.0)), worst.1.max(angle_between(p.1, q.1)));
+    }
+    worst
+}
+
+/// The same over the strokes of two tracks.
+pub fn strokes_apart(a: &Track, b: &Track, side: Side) -> (f64, f64) {
+    let [p, q] = [a, b].map(|track| Phases::of(track).unwrap());
+    stretches_apart((&a.clip, (p.stroke, p.stroke_end)), (&b.clip, (q.stroke, q.stroke_end)), side)
 }

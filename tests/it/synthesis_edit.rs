@@ -75,6 +75,7 @@ proptest! {
         prop_assert_eq!(again.frames(), clip.frames());
         prop_assert_eq!(back.duration(), clip.duration());
         prop_assert_eq!(&back.frames()[0], clip.frames().last().unwrap());
+        prop_assert!(back.frames().iter().rev().eq(clip.frames()));
         let velocity = |clip: &Clip| derivative(&wrist_path(clip, side), clip.fps());
         let negated: Vec<DVec3> = velocity(&back).iter().map(|v| -*v).collect();
         prop_assert!(apart(&reversed(&negated), &velocity(&clip)) < 1e-12);

@@ -1,6 +1,6 @@
 //! Operators on tracks: the motion and its tiers together, and the routes by motion and by description compared.
 
-use crate::moving::{apart, is_sound, same_but, turned, wrist_path};
+use crate::moving::{apart, is_sound, same_but, strokes_apart, turned, wrist_path};
 use crate::signing::{perform, sign, signs_of, world};
 use chereme::body::channel::Channels;
 use chereme::motion::easing::Easing;
@@ -25,25 +25,6 @@ fn limbs(sides: Sides) -> Vec<JointId> {
 
 fn labels(track: &Track, tier: &str) -> Vec<String> {
     track.tier(tier).map_or(vec![], |t| t.values().iter().map(|v| v.label.clone()).collect())
-}
-
-/// How far two tracks' wrists are apart over their strokes, metres, and how differently their hands are turned,
-/// radians: at the same shares of the two strokes.
-pub fn strokes_apart(a: &Track, b: &Track, side: Side) -> (f64, f64) {
-    let signer = &world().signer;
-    let phases = [a, b].map(|t| Phases::of(t).unwrap());
-    let mut worst = (0.0f64, 0.0f64);
-    for i in 0..=40 {
-        let share = f64::from(i) / 40.0;
-        let [p, q] = [(a, phases[0]), (b, phases[1])].map(|(t, phases)| {
-            let time = phases.stroke + (phases.stroke_end - phases.stroke) * share;
-            let model = t.clip.sample(time).pose.to_model(&signer.skeleton);
-            let hand = signer.arm(side).hand;
-            (model.position(hand), model.rotation(hand))
-        });
-        worst = (worst.0.max(p.0.distance(q.0)), worst.1.max(angle_between(p.1, q.1)));
-    }
-    worst
 }
 
 #[test]
@@ -162,7 +143,7 @@ fn another_configuration_or_place_leaves_the_rest_and_is_named() {
     let target = DVec3::new(0.15, 1.2, 0.3);
     let there = track::relocated_to(&source, signer, target, HandKept::Global).unwrap();
     assert!(is_sound(&there.track.clip) && there.residual_m < 1e-6, "{}", there.residual_m);
-    let extent = chereme::synthesis::edit::Extent::between(phases.stroke, phases.sign_end);
+    let extent = chereme::synthesis::edit::Extent::between(phases.stroke, phases.stroke_end);
     let place = chereme::synthesis::edit::mean_place(&there.track.clip, signer, Sides::Both, &extent).unwrap();
     assert!(place.distance(target) < 1e-4, "{place}");
     assert_eq!(there.track.clip.frames()[0], source.clip.frames()[0]);

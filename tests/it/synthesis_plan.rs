@@ -1,11 +1,15 @@
 //! Plans: signs that follow each other, holds and rests, times allotted from outside, pointing and spatialization
-//! (expectations 29, 36, 37 and 46 of facts/phonology.md §9).
+//! (expectations 29, 36, 37, 38 and 46 of facts/phonology.md §9).
 
-use crate::signing::{body_at, perform, perform_with, sign, signs_of, world};
+use crate::moving::turned;
+use crate::signing::{body_at, lexicon, perform, perform_with, sign, signs_of, tables, world};
+use chereme::body::channel::Channels;
 use chereme::motion::pose::ModelPose;
 use chereme::motion::profile::speed;
 use chereme::motion::rotation::angle_between;
-use chereme::phonology::{Forced, Hand, Place, Relocation, Side, Sign, Space};
+use chereme::motion::skeleton::JointId;
+use chereme::phonology::{Forced, Hand, Motion, Movement, Place, Relocation, Side, Sign, Space};
+use chereme::score::gloss::{self, Known, Settings};
 use chereme::score::plan::{Act, Item, Plan};
 use chereme::synthesis::schedule::Schedule;
 use chereme::synthesis::{self, Options, Performance};
@@ -226,7 +230,73 @@ fn expectation_37_a_pointing_hand_points() {
         let most = speeds.iter().copied().fold(0.0, f64::max);
         let peaks = speeds.windows(3).filter(|w| w[1] > 0.2 * most && w[0] < w[1] && w[1] >= w[2]).count();
         assert_eq!(peaks, 2, "{target}");
-        assert!(path[0].distance(path[path.len() - 1]) < 1e-9);
+        let frames = performance.track.clip.frames();
+        let relaxed = world().grammar.handshapes.find("rest", None).unwrap().angles();
+        for end in [&frames[0], &frames[frames.len() - 1]] {
+            assert!(turned(&end.pose.rotations, &signer.neutral(&relaxed).rotations) < 1e-6, "{target}");
+        }
+    }
+}
+
+/// A spelled word, as `fs(…)` writes it.
+fn spelled(word: &str) -> Plan {
+    let known = Known { lexicon: lexicon(), vocabulary: &world().vocabulary, tables: tables() };
+    let settings = Settings { language: Some("lsf".into()), ..Settings::default() };
+    let reading = gloss::read(&format!("fs({word})"), &known, &settings);
+    assert_eq!(reading.diagnostics, []);
+    reading.plan
+}
+
+/// The stretches of a sign's stroke in which its movement is a hold: from key to key.
+fn holds(sign: &Sign) -> Vec<usize> {
+    let held = |m: &Movement| matches!(m, Movement::Action(action) if action.motion == Motion::Hold);
+    (0..sign.intervals).filter(|i| held(&sign.strong.movement[*i])).collect()
+}
+
+#[test]
+fn expectation_38_each_letter_of_a_spelled_word_is_held_in_its_shape() {
+    let signer = &world().signer;
+    let right = signer.hand(Side::Right);
+    let limb: Vec<JointId> = Channels::of(signer, Side::Right).limb().collect();
+    for word in ["ABCDEFGHIJKLMNOPQRSTUVWXYZ", "CHEREME"] {
+        let plan = spelled(word);
+        let Act::Sign(sign) = &plan.items[0].act else { panic!("{word} is a sign") };
+        let (letters, holds) = (word.chars().count(), holds(sign));
+        assert_eq!(holds.len(), letters, "{word}: a hold a letter");
+        let made = signed(&plan);
+        let (clip, keys) = (&made.track.clip, &made.report.keys);
+        let frames = |from: Seconds, to: Seconds| {
+            let fps = clip.fps().get();
+            (from.0 * fps - 1e-6).ceil() as usize..=(to.0 * fps + 1e-6).floor() as usize
+        };
+        for (letter, hold) in word.chars().zip(&holds) {
+            let wanted = world().grammar.handshapes.find(&letter.to_string(), Some("lsf")).unwrap().angles();
+            let held = frames(keys[*hold], keys[hold + 1]);
+            assert!(held.clone().count() >= 8, "{word}: {letter} is held for {held:?}");
+            for i in held {
+                let off = right.angles_of(&clip.frames()[i].pose).max_difference(&wanted);
+                assert!(off < 1e-3, "{word}: {letter} at frame {i} is {off} rad off");
+            }
+        }
+        // Nothing else moves: not the other limb, the legs, the trunk, the head or the face.
+        let stroke = frames(made.report.stroke_start, made.report.sign_end);
+        let first = &clip.frames()[*stroke.start()];
+        for frame in &clip.frames()[stroke.clone()] {
+            let others = || signer.skeleton.ids().filter(|j| !limb.contains(j));
+            assert!(
+                others().all(|j| frame.pose.rotation(j) == first.pose.rotation(j)) && frame.weights == first.weights
+            );
+        }
+        // No two neighbours of the second word share a shape: its fingers come to rest as often as it has letters.
+        if word == "CHEREME" {
+            assert_eq!(sign.intervals, 2 * letters - 1, "between the holds, one transition less");
+            let still = |i: usize| {
+                let [a, b] = [i, i + 1].map(|i| right.angles_of(&clip.frames()[i].pose));
+                a.max_difference(&b) < 1e-9
+            };
+            let begins = stroke.clone().skip(1).filter(|i| still(*i) && !still(i - 1)).count();
+            assert_eq!(begins + usize::from(still(*stroke.start())), letters);
+        }
     }
 }
 

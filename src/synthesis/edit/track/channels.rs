@@ -6,7 +6,7 @@ use crate::diagnostics::Error;
 use crate::motion::easing::Easing;
 use crate::phonology::Side;
 use crate::phonology::handshape::HandAngles;
-use crate::synthesis::edit::{self, HandKept, Moved, Relocation, Sides};
+use crate::synthesis::edit::{self, Extent, HandKept, Moved, Relocation, Sides};
 use crate::tier::{Tier, TierValue};
 use crate::time::Seconds;
 use crate::track::Track;
@@ -69,13 +69,20 @@ pub fn relocated_by(track: &Track, signer: &Signer, by: DVec3, kept: HandKept) -
     Ok(with_place(track, edit::relocated(&track.clip, signer, by, &how)?))
 }
 
-/// The sign with the mean place of its acting wrists at a target (model space, metres).
+/// The sign with the mean place of its acting wrists in the stroke at a target (model space, metres).
+///
+/// The hold does not count, as it does not for a described sign: it may be of any length. A sign without a stroke is
+/// where it is held.
 ///
 /// # Errors
 /// As [`relocated_by`].
 pub fn relocated_to(track: &Track, signer: &Signer, target: DVec3, kept: HandKept) -> Result<Relocated, Error> {
-    let how = relocation(track, kept)?;
-    Ok(with_place(track, edit::relocated_to(&track.clip, signer, target, &how)?))
+    let phases = Phases::of(track)?;
+    // From one frame's time on, a frame stands in the stroke.
+    let moves = (phases.stroke_end - phases.stroke).0 * track.clip.fps().get() >= 1.0;
+    let end = if moves { phases.stroke_end } else { phases.sign_end };
+    let place = edit::mean_place(&track.clip, signer, phases.sides, &Extent::between(phases.stroke, end))?;
+    relocated_by(track, signer, target - place, kept)
 }
 
 fn relocation(track: &Track, kept: HandKept) -> Result<Relocation, Error> {
