@@ -229,7 +229,7 @@ fn cell(space: Space) -> DVec3 {
     signer.landmarks.space(space).position(&rest.to_model(&signer.skeleton))
 }
 
-/// By words the wrist's limits hold, and the shoulder helps; by motion the hand keeps its direction whatever the wrist says.
+/// By words the wrist's limits hold, and the shoulder helps; by motion the hand keeps its direction whatever happens.
 /// So cells are compared that the arm reaches, and directions where words report no tilt. Within 3 mm, and 2°.
 #[test]
 fn relocated() {
