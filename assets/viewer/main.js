@@ -122,6 +122,12 @@ export async function start() {
     duration, fps, speeds: timeline.speeds, tiers: timeline.tiers, player,
     seek(t) { player.playing = false; player.seek(t); draw(); },
     setView(name) { actions.setView(name); draw(); },
+    /** Where every joint is at a time: { name: [x, y, z] } in metres, as three.js poses the avatar. */
+    places(t) {
+      avatar.pose(t);
+      const of = ({ matrixWorld: { elements } }) => [12, 13, 14].map((i) => elements[i]);
+      return Object.fromEntries(Object.entries(avatar.bones).map(([name, bone]) => [name, of(bone)]));
+    },
     /** A picture of the pose of now as a PNG data URL; `spec` is a camera's name or {position, target, fov}. */
     renderTo(width, height, spec) {
       avatar.pose(player.time);
