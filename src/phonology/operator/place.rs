@@ -78,7 +78,7 @@ fn body_place(place: &Place, locations: &LocationInventory) -> Option<String> {
 pub(super) fn at(sign: &Sign, to: &Relocation, tables: &Tables) -> Result<Sign, Error> {
     match (anchored(sign, tables.locations), to.forced) {
         (Some(place), Forced::No) => Err(Error::new(format!(
-            "it is anchored on the body ({place}), and its place cannot change; `forced` moves it all the same"
+            "it is anchored on the body ({place}), and its place cannot change; `at …, forced` moves it all the same"
         ))),
         (Some(_), Forced::Yes) | (None, _) => Ok(Sign { relocated: Some(to.clone()), ..sign.clone() }),
     }
