@@ -124,3 +124,15 @@ fn profile_measures_recordings() {
     assert!(done.out.starts_with("time [s],Hips floor height [m],Hips floor speed [m/s],HipsTip floor height [m]"));
     assert!(done.out.contains("\n0.100,0.950,0.500,2.650,0.500\n"), "{}", done.out);
 }
+
+#[test]
+fn profile_measures_signs_made_from_others() {
+    let folder = Folder::new("profile-made");
+    folder.write(
+        "made.sign",
+        "language lsf\nsign RUHE\n  placement chest, 20cm away\n\nsign X = RUHE with movement up 10cm\n",
+    );
+    let done = run(&folder.0, &["profile", "made.sign"], "");
+    assert_eq!(done.code, 0, "{}", done.err);
+    assert!(done.out.contains("RUHE") && done.out.lines().any(|l| l.starts_with("X ")), "{}", done.out);
+}

@@ -1,6 +1,7 @@
 //! What is to be rendered: signs of files, of standard input, of the lexicon by name; gloss lines.
 
-use super::super::{Failure, Sources, files, gloss, world};
+use super::super::signs::Finder;
+use super::super::{Failure, Sources, gloss};
 use super::Render;
 use crate::format::html::Page;
 use crate::notation::Vocabulary;
@@ -10,7 +11,6 @@ use crate::phonology::operator::for_left_hander;
 use crate::score::gloss::{Handedness, Reading, Settings};
 use crate::score::plan::Plan;
 use crate::synthesis::Grammar;
-use std::path::Path;
 
 /// Names of files are cut to so many characters: a gloss line may be longer than a file's name can be.
 const LONGEST_NAME: usize = 80;
@@ -43,33 +43,22 @@ pub(super) fn request(
     let mut signs = Vec::new();
     let mut lines = Vec::new();
     let mut faulty = false;
-    let mut lexicon = None;
+    let mut finder = Finder::new(sources, vocabulary, render.language.as_deref());
     let handedness = if render.left_handed { Handedness::Left } else { Handedness::Right };
     for what in &render.what {
-        let path = Path::new(what);
-        if what != "-" && !what.ends_with(".sign") && !path.exists() {
-            let known = match &lexicon {
-                Some(known) => known,
-                None => lexicon.insert(world::lexicon(sources, vocabulary)?),
-            };
-            if gloss::is_line(what, known) {
-                let settings = Settings { language: render.language.clone(), handedness, ..Settings::default() };
-                let reading = gloss::read_line(what, known, grammar, vocabulary, &settings);
-                if reading.has_faults() {
-                    faulty = true;
-                } else {
-                    lines.push(of_line(what, reading));
-                }
-                continue;
+        if let Some(known) = finder.named(what)?.filter(|known| gloss::is_line(what, known)) {
+            let settings = Settings { language: render.language.clone(), handedness, ..Settings::default() };
+            let reading = gloss::read_line(what, known, grammar, vocabulary, &settings);
+            if reading.has_faults() {
+                faulty = true;
+            } else {
+                lines.push(of_line(what, reading));
             }
-            let entry = known.find(what, render.language.as_deref());
-            signs.push(entry.map_err(|e| Failure::Faults(Some(e.to_string())))?.sign.clone());
             continue;
         }
-        let (described, faults) = world::described(sources, vocabulary, files::read_all(&[path.to_owned()])?)?;
-        faulty |= faults;
-        signs.extend(described.into_iter().map(|d| d.sign));
+        signs.extend(finder.find(what)?);
     }
+    faulty |= finder.faulty;
     choose(&mut signs, &render.sign)?;
     let by_signer = |sign: Sign| match handedness {
         Handedness::Right => sign,
