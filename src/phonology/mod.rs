@@ -25,6 +25,7 @@ pub mod operator;
 pub mod orientation;
 pub mod placement;
 pub mod recombination;
+mod reflection;
 pub mod roll;
 pub mod sign;
 pub mod symmetry;

@@ -20,6 +20,31 @@ pub enum Movement {
     Backwards(Box<Movement>),
 }
 
+impl Movement {
+    /// The same combination of other actions.
+    pub fn map_actions(&self, f: &impl Fn(&Action) -> Action) -> Movement {
+        let all = |parts: &[Movement]| parts.iter().map(|m| m.map_actions(f)).collect();
+        match self {
+            Movement::Action(action) => Movement::Action(Box::new(f(action))),
+            Movement::Sequence(parts) => Movement::Sequence(all(parts)),
+            Movement::Together(parts) => Movement::Together(all(parts)),
+            Movement::Fused(parts) => Movement::Fused(all(parts)),
+            Movement::Backwards(inner) => Movement::Backwards(Box::new(inner.map_actions(f))),
+        }
+    }
+
+    /// Whether one of its actions is such.
+    pub fn any_action(&self, is_such: &impl Fn(&Action) -> bool) -> bool {
+        match self {
+            Movement::Action(action) => is_such(action),
+            Movement::Sequence(parts) | Movement::Together(parts) | Movement::Fused(parts) => {
+                parts.iter().any(|m| m.any_action(is_such))
+            }
+            Movement::Backwards(inner) => inner.any_action(is_such),
+        }
+    }
+}
+
 /// One movement with everything that may be said of it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Action {
@@ -184,6 +209,15 @@ impl WristMotion {
         WristMotion::StirClockwise,
         WristMotion::StirCounterclockwise,
     ];
+
+    /// The same the other way round: stirring turns back, what goes to and fro is its own reverse.
+    pub fn reversed(self) -> WristMotion {
+        match self {
+            WristMotion::StirClockwise => WristMotion::StirCounterclockwise,
+            WristMotion::StirCounterclockwise => WristMotion::StirClockwise,
+            WristMotion::Nod | WristMotion::Swing | WristMotion::Twist => self,
+        }
+    }
 
     /// The name in text.
     pub fn name(self) -> &'static str {

@@ -1,11 +1,11 @@
 //! What the weak hand does when it follows the strong one.
 
 use super::configuration::Configuration;
-use super::direction::{Direction, Heading};
 use super::hand::{Hand, HandPoint, Side};
 use super::movement::{Action, Movement};
 use super::orientation::Orientation;
-use super::placement::{Contact, Lateral, Place, Placement, Space};
+use super::placement::{Contact, Lateral, Placement};
+use super::reflection::Reflection;
 use super::sign::{Hands, Keys, Manual, Relation, Sign, Symmetry};
 use glam::DVec3;
 
@@ -83,25 +83,17 @@ fn plain(own: &Manual) -> Resolved {
 }
 
 fn following(strong: &Manual, own: &Manual, symmetry: Symmetry) -> Resolved {
-    let exchange = |d: Direction| {
-        let d = if symmetry.relation == Relation::Mirrored { d.mirrored() } else { d };
-        let d = if symmetry.up_down { d.flipped_up_down() } else { d };
-        if symmetry.out_in { d.flipped_out_in() } else { d }
-    };
+    let reflection = Reflection::of(symmetry);
     let sign = |exchanged: bool| if exchanged { -1.0 } else { 1.0 };
     let stated_movement = !own.movement.is_empty();
-    let turn = |o: &Orientation| {
-        let heading = |h: Heading| h.map(exchange);
-        Orientation { fingers: o.fingers.map(heading), palm: o.palm.map(heading), ..*o }
-    };
     let place = |p: &Placement| {
-        let mirrored = mirrored(p, &exchange, symmetry);
-        if symmetry.crossed { crossed(&mirrored, Hand::Weak) } else { mirrored }
+        let reflected = reflection.placement(p);
+        if symmetry.crossed { crossed(&reflected, Hand::Weak) } else { reflected }
     };
     Resolved {
         configuration: or_else(&own.configuration, || strong.configuration.clone()),
         placement: or_else(&own.placement, || map_keys(&strong.placement, place)),
-        orientation: or_else(&own.orientation, || map_keys(&strong.orientation, turn)),
+        orientation: or_else(&own.orientation, || map_keys(&strong.orientation, |o| reflection.orientation(o))),
         movement: if stated_movement {
             own.movement.clone()
         } else {
@@ -127,38 +119,11 @@ pub(super) fn map_keys<T, U>(keys: &Keys<T>, f: impl Fn(&T) -> U) -> Keys<U> {
 
 /// A movement with the places that it leads to and brushes changed.
 fn placed(movement: &Movement, place: &impl Fn(&Placement) -> Placement) -> Movement {
-    let all = |parts: &[Movement]| parts.iter().map(|m| placed(m, place)).collect();
-    match movement {
-        Movement::Action(action) => Movement::Action(Box::new(Action {
-            target: action.target.as_ref().map(place),
-            brushing: action.brushing.as_ref().map(place),
-            ..(**action).clone()
-        })),
-        Movement::Sequence(parts) => Movement::Sequence(all(parts)),
-        Movement::Together(parts) => Movement::Together(all(parts)),
-        Movement::Fused(parts) => Movement::Fused(all(parts)),
-        Movement::Backwards(inner) => Movement::Backwards(Box::new(placed(inner, place))),
-    }
-}
-
-/// A placement for the other hand of a symmetry.
-fn mirrored(p: &Placement, exchange: &impl Fn(Direction) -> Direction, symmetry: Symmetry) -> Placement {
-    let left_right = symmetry.relation == Relation::Mirrored;
-    let lateral = p.lateral.map(|l| if left_right { Lateral { side: l.side.other(), ..l } } else { l });
-    let offset = p.offset.map(|(d, metres)| (exchange(d), metres));
-    Placement { place: mirrored_place(&p.place, left_right), lateral, offset, ..p.clone() }
-}
-
-pub(super) fn mirrored_place(place: &Place, left_right: bool) -> Place {
-    match place {
-        Place::Space(cell) if left_right => Place::Space(Space { left: -cell.left, ..*cell }),
-        Place::Point(p) if left_right => Place::Point(DVec3::new(-p.x, p.y, p.z)),
-        Place::Between(a, b) => {
-            Place::Between(Box::new(mirrored_place(a, left_right)), Box::new(mirrored_place(b, left_right)))
-        }
-        Place::Towards(at) => Place::Towards(Box::new(mirrored_place(at, left_right))),
-        other => other.clone(),
-    }
+    movement.map_actions(&|action| Action {
+        target: action.target.as_ref().map(place),
+        brushing: action.brushing.as_ref().map(place),
+        ..action.clone()
+    })
 }
 
 /// The hands crossed over: each on the other's side.

@@ -75,12 +75,6 @@ pub(super) fn prepare<'p>(stage: &Stage, plan: &'p Plan) -> Result<Vec<Prepared<
 
 /// Whether the author has said how long the sign or a movement of it lasts.
 fn states_its_time(sign: &Sign) -> bool {
-    fn stated(movement: &Movement) -> bool {
-        match movement {
-            Movement::Action(action) => action.duration.is_some(),
-            Movement::Sequence(parts) | Movement::Together(parts) | Movement::Fused(parts) => parts.iter().any(stated),
-            Movement::Backwards(inner) => stated(inner),
-        }
-    }
+    let stated = |movement: &Movement| movement.any_action(&|action| action.duration.is_some());
     sign.duration.is_some() || sign.strong.movement.iter().chain(&sign.weak.movement).any(stated)
 }

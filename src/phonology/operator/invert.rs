@@ -9,7 +9,7 @@
 //! no place is said is at the neutral one. What was inverted once has that form, unless its text says `backwards` itself.
 
 use super::{manual, manual_mut, neutral};
-use crate::phonology::movement::{Action, Clock, Manner, Motion, Movement, RepetitionKind, WristMotion};
+use crate::phonology::movement::{Action, Clock, Manner, Motion, Movement, RepetitionKind};
 use crate::phonology::orientation::Orientation;
 use crate::phonology::placement::Placement;
 use crate::phonology::sign::{Hands, Keys, Manual, Sign};
@@ -167,13 +167,7 @@ fn part(movement: &Movement) -> Option<Movement> {
 }
 
 fn goes_somewhere(movement: &Movement) -> bool {
-    match movement {
-        Movement::Action(action) => action.target.is_some() || matches!(action.motion, Motion::Return { .. }),
-        Movement::Sequence(parts) | Movement::Together(parts) | Movement::Fused(parts) => {
-            parts.iter().any(goes_somewhere)
-        }
-        Movement::Backwards(inner) => goes_somewhere(inner),
-    }
+    movement.any_action(&|action| action.target.is_some() || matches!(action.motion, Motion::Return { .. }))
 }
 
 fn action_backwards(action: &Action) -> Option<Action> {
@@ -197,14 +191,7 @@ fn motion_backwards(motion: &Motion) -> Option<Motion> {
     let opposite = |heading: Heading| heading.map(|d| d.opposite());
     Some(match motion {
         Motion::Hold | Motion::Change | Motion::Wiggle(_) => motion.clone(),
-        Motion::Wrist(wrist, size) => Motion::Wrist(
-            match wrist {
-                WristMotion::StirClockwise => WristMotion::StirCounterclockwise,
-                WristMotion::StirCounterclockwise => WristMotion::StirClockwise,
-                WristMotion::Nod | WristMotion::Swing | WristMotion::Twist => *wrist,
-            },
-            *size,
-        ),
+        Motion::Wrist(wrist, size) => Motion::Wrist(wrist.reversed(), *size),
         Motion::Straight { direction, extent, overlay: None } => {
             Motion::Straight { direction: opposite(*direction), extent: *extent, overlay: None }
         }

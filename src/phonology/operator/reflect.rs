@@ -5,165 +5,12 @@
 
 use super::{Applied, Tables, keys_of, manual, neutral, plain};
 use crate::diagnostics::Error;
+use crate::phonology::reflection::Reflection;
 use crate::phonology::symmetry::{acts, crossed, map_keys, resolve};
 use crate::phonology::{
-    Action, Configuration, Contact, Direction, Hand, Hands, Heading, Keys, Lateral, Manual, Motion, Movement,
-    NonManual, NonManualValue, Orientation, Place, Placement, Relation, Relocation, Side, Sign, Space, Symmetry,
-    WristMotion,
+    Configuration, Contact, Hand, Hands, Keys, Lateral, Manual, Motion, Place, Placement, Relocation, Side, Sign,
+    Symmetry,
 };
-use glam::DVec3;
-
-/// A reflection of a description: which directions are exchanged, and whether places in space are.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Reflection {
-    /// Left and right exchanged.
-    left_right: bool,
-    /// Up and down.
-    up_down: bool,
-    /// Out and in.
-    out_in: bool,
-    /// Whether cells and points of space stay where they are.
-    keeps_space: bool,
-}
-
-impl Reflection {
-    /// Left and right.
-    const SIDES: Reflection = Reflection { left_right: true, up_down: false, out_in: false, keeps_space: false };
-
-    /// What a symmetry does to the weak hand.
-    pub(super) fn of(symmetry: Symmetry) -> Reflection {
-        let left_right = symmetry.relation == Relation::Mirrored;
-        Reflection { left_right, up_down: symmetry.up_down, out_in: symmetry.out_in, keeps_space: false }
-    }
-
-    /// Left and right exchanged once more.
-    fn and_sides(self) -> Reflection {
-        Reflection { left_right: !self.left_right, ..self }
-    }
-
-    fn direction(self, d: Direction) -> Direction {
-        let d = if self.left_right { d.mirrored() } else { d };
-        let d = if self.up_down { d.flipped_up_down() } else { d };
-        if self.out_in { d.flipped_out_in() } else { d }
-    }
-
-    fn heading(self, heading: Heading) -> Heading {
-        heading.map(|d| self.direction(d))
-    }
-
-    /// Whether a turn runs the other way round.
-    fn turns_round(self) -> bool {
-        self.left_right ^ self.up_down ^ self.out_in
-    }
-
-    /// Whether the top of a circle's clock becomes its bottom: the highest point, of a level circle the farthest one.
-    fn upsets(self, axis: Direction) -> bool {
-        if axis == Direction::UP || axis == Direction::DOWN { self.out_in } else { self.up_down }
-    }
-
-    fn place(self, place: &Place) -> Place {
-        match place {
-            Place::Space(cell) if self.left_right && !self.keeps_space => {
-                Place::Space(Space { left: -cell.left, ..*cell })
-            }
-            Place::Point(p) if self.left_right && !self.keeps_space => Place::Point(DVec3::new(-p.x, p.y, p.z)),
-            Place::Between(a, b) => Place::Between(Box::new(self.place(a)), Box::new(self.place(b))),
-            Place::Towards(at) => Place::Towards(Box::new(self.place(at))),
-            Place::Body(_) | Place::OtherHand(_) | Place::Space(_) | Place::Point(_) | Place::Referent(_) => {
-                place.clone()
-            }
-        }
-    }
-
-    pub(super) fn placement(self, p: &Placement) -> Placement {
-        let lateral = p.lateral.map(|l| if self.left_right { Lateral { side: l.side.other(), ..l } } else { l });
-        let offset = p.offset.map(|(d, metres)| (self.direction(d), metres));
-        Placement { place: self.place(&p.place), lateral, offset, ..p.clone() }
-    }
-
-    fn orientation(self, o: &Orientation) -> Orientation {
-        let heading = |h| self.heading(h);
-        Orientation { fingers: o.fingers.map(heading), palm: o.palm.map(heading), ..*o }
-    }
-
-    pub(super) fn movement(self, movement: &Movement) -> Movement {
-        let all = |parts: &[Movement]| parts.iter().map(|m| self.movement(m)).collect();
-        match movement {
-            Movement::Action(action) => Movement::Action(Box::new(Action {
-                motion: self.motion(&action.motion),
-                target: action.target.as_ref().map(|p| self.placement(p)),
-                brushing: action.brushing.as_ref().map(|p| self.placement(p)),
-                ..(**action).clone()
-            })),
-            Movement::Sequence(parts) => Movement::Sequence(all(parts)),
-            Movement::Together(parts) => Movement::Together(all(parts)),
-            Movement::Fused(parts) => Movement::Fused(all(parts)),
-            Movement::Backwards(inner) => Movement::Backwards(Box::new(self.movement(inner))),
-        }
-    }
-
-    fn motion(self, motion: &Motion) -> Motion {
-        match motion {
-            Motion::Hold | Motion::Change | Motion::Return { .. } | Motion::Wiggle(_) => motion.clone(),
-            Motion::Straight { direction, extent, overlay } => {
-                Motion::Straight { direction: self.heading(*direction), extent: *extent, overlay: *overlay }
-            }
-            Motion::Arc { direction, extent, bulge, depth, overlay } => Motion::Arc {
-                direction: self.heading(*direction),
-                extent: *extent,
-                bulge: self.direction(*bulge),
-                depth: *depth,
-                overlay: *overlay,
-            },
-            Motion::Circle { axis, extent, start, turns, ellipse, growth } => Motion::Circle {
-                // An axis of rotation: its mirror image turns the other way round.
-                axis: if self.turns_round() { self.direction(*axis).opposite() } else { self.direction(*axis) },
-                extent: *extent,
-                start: if self.upsets(*axis) { start.opposite() } else { *start },
-                turns: *turns,
-                ellipse: ellipse.map(|(part, long)| (part, self.direction(long))),
-                growth: *growth,
-            },
-            Motion::Wrist(wrist, size) => Motion::Wrist(
-                match wrist {
-                    WristMotion::StirClockwise if self.turns_round() => WristMotion::StirCounterclockwise,
-                    WristMotion::StirCounterclockwise if self.turns_round() => WristMotion::StirClockwise,
-                    other => *other,
-                },
-                *size,
-            ),
-        }
-    }
-
-    fn manual(self, own: &Manual) -> Manual {
-        Manual {
-            configuration: own.configuration.clone(),
-            placement: map_keys(&own.placement, |p| self.placement(p)),
-            orientation: map_keys(&own.orientation, |o| self.orientation(o)),
-            movement: own.movement.iter().map(|m| self.movement(m)).collect(),
-        }
-    }
-
-    fn nonmanual(self, value: &NonManual) -> NonManual {
-        let what = match &value.value {
-            NonManualValue::Named(name) => NonManualValue::Named(sides_exchanged(name)),
-            NonManualValue::Towards(heading) => NonManualValue::Towards(self.heading(*heading)),
-            NonManualValue::At(placement) => NonManualValue::At(self.placement(placement)),
-            NonManualValue::Mouthing(sounds) => NonManualValue::Mouthing(sounds.clone()),
-        };
-        NonManual { value: what, amount: value.amount }
-    }
-}
-
-/// `tilted-left` as `tilted-right`.
-fn sides_exchanged(name: &str) -> String {
-    let word = |word| match word {
-        "left" => "right",
-        "right" => "left",
-        other => other,
-    };
-    name.split('-').map(word).collect::<Vec<_>>().join("-")
-}
 
 /// The acting hand copied onto the other, mirrored at the midline; of two different hands, the strong one's.
 ///
@@ -244,7 +91,7 @@ pub fn swapped(sign: &Sign) -> Sign {
 /// The description as a left-handed signer performs it: the hands exchanged, but places in space, points and what is
 /// looked at stay, since the addressee stays where they are.
 pub fn for_left_hander(sign: &Sign) -> Sign {
-    let swapped = exchanged(sign, Reflection { keeps_space: true, ..Reflection::SIDES });
+    let swapped = exchanged(sign, Reflection::SIDES_OF_SIGNER);
     Sign { relocated: sign.relocated.clone(), ..swapped }
 }
 
@@ -284,8 +131,7 @@ fn exchanged(sign: &Sign, sides: Reflection) -> Sign {
 /// The two hands of a symmetry exchanged: each tier that the weak hand has of its own changes places with the strong
 /// one's; one that follows keeps following.
 fn following(sign: &Sign, symmetry: Symmetry, sides: Reflection) -> (Manual, Manual) {
-    let keeps_space = sides.keeps_space;
-    let through = Reflection { keeps_space, ..Reflection::of(symmetry).and_sides() };
+    let through = Reflection::of(symmetry).and_sides().with_space_as(sides);
     let (s, w) = (&sign.strong, &sign.weak);
     let (through_s, sides_s, sides_w) = (through.manual(s), sides.manual(s), sides.manual(w));
     fn pick<T>(own: bool, strong: T, follows: T, weak: T, none: T) -> (T, T) {

@@ -4,9 +4,10 @@
 //! Without a hand a value is for the strong hand and for a weak hand that shares it: one that follows it, or says the same.
 //! As many values as the sign has keys stand at one each; one spreads.
 
-use super::reflect::{Reflection, explicit};
+use super::reflect::explicit;
 use super::{Applied, manual_mut};
 use crate::diagnostics::Error;
+use crate::phonology::reflection::Reflection;
 use crate::phonology::{
     Channel, Configuration, Hand, Hands, Keys, Manual, Movement, NonManual, Orientation, Placement, Sign,
 };

@@ -44,16 +44,7 @@ pub(super) fn movement(of: &Movement, factor: f64, table: &MovementTable) -> Mov
     if factor == 1.0 {
         return of.clone();
     }
-    let all = |parts: &[Movement]| parts.iter().map(|m| movement(m, factor, table)).collect();
-    match of {
-        Movement::Action(action) => {
-            Movement::Action(Box::new(Action { motion: motion(&action.motion, factor, table), ..(**action).clone() }))
-        }
-        Movement::Sequence(parts) => Movement::Sequence(all(parts)),
-        Movement::Together(parts) => Movement::Together(all(parts)),
-        Movement::Fused(parts) => Movement::Fused(all(parts)),
-        Movement::Backwards(inner) => Movement::Backwards(Box::new(movement(inner, factor, table))),
-    }
+    of.map_actions(&|action| Action { motion: motion(&action.motion, factor, table), ..action.clone() })
 }
 
 fn motion(of: &Motion, factor: f64, table: &MovementTable) -> Motion {

@@ -1,0 +1,161 @@
+//! Descriptions in a mirror: directions, sides and places exchanged.
+//!
+//! A symmetry exchanges them between the hands of one sign, the operators between signs.
+
+use super::movement::{Action, Motion, Movement};
+use super::nonmanual::{NonManual, NonManualValue};
+use super::orientation::Orientation;
+use super::placement::{Lateral, Place, Placement, Space};
+use super::sign::{Manual, Relation, Symmetry};
+use super::symmetry::map_keys;
+use super::{Direction, Heading};
+use glam::DVec3;
+
+/// A reflection of a description: which directions are exchanged, and whether places in space are.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Reflection {
+    /// Left and right exchanged.
+    left_right: bool,
+    /// Up and down.
+    up_down: bool,
+    /// Out and in.
+    out_in: bool,
+    /// Whether cells and points of space stay where they are.
+    keeps_space: bool,
+}
+
+impl Reflection {
+    /// Left and right.
+    pub(super) const SIDES: Reflection =
+        Reflection { left_right: true, up_down: false, out_in: false, keeps_space: false };
+
+    /// Left and right of the signer, whose surroundings stay.
+    pub(super) const SIDES_OF_SIGNER: Reflection = Reflection { keeps_space: true, ..Reflection::SIDES };
+
+    /// What a symmetry does to the weak hand.
+    pub(super) fn of(symmetry: Symmetry) -> Reflection {
+        let left_right = symmetry.relation == Relation::Mirrored;
+        Reflection { left_right, up_down: symmetry.up_down, out_in: symmetry.out_in, keeps_space: false }
+    }
+
+    /// The same with the surroundings as in another one.
+    pub(super) fn with_space_as(self, other: Reflection) -> Reflection {
+        Reflection { keeps_space: other.keeps_space, ..self }
+    }
+
+    /// Left and right exchanged once more.
+    pub(super) fn and_sides(self) -> Reflection {
+        Reflection { left_right: !self.left_right, ..self }
+    }
+
+    fn direction(self, d: Direction) -> Direction {
+        let d = if self.left_right { d.mirrored() } else { d };
+        let d = if self.up_down { d.flipped_up_down() } else { d };
+        if self.out_in { d.flipped_out_in() } else { d }
+    }
+
+    fn heading(self, heading: Heading) -> Heading {
+        heading.map(|d| self.direction(d))
+    }
+
+    /// Whether a turn runs the other way round.
+    fn turns_round(self) -> bool {
+        self.left_right ^ self.up_down ^ self.out_in
+    }
+
+    /// Whether the top of a circle's clock becomes its bottom: the highest point, of a level circle the farthest one.
+    fn upsets(self, axis: Direction) -> bool {
+        if axis == Direction::UP || axis == Direction::DOWN { self.out_in } else { self.up_down }
+    }
+
+    pub(super) fn place(self, place: &Place) -> Place {
+        match place {
+            Place::Space(cell) if self.left_right && !self.keeps_space => {
+                Place::Space(Space { left: -cell.left, ..*cell })
+            }
+            Place::Point(p) if self.left_right && !self.keeps_space => Place::Point(DVec3::new(-p.x, p.y, p.z)),
+            Place::Between(a, b) => Place::Between(Box::new(self.place(a)), Box::new(self.place(b))),
+            Place::Towards(at) => Place::Towards(Box::new(self.place(at))),
+            Place::Body(_) | Place::OtherHand(_) | Place::Space(_) | Place::Point(_) | Place::Referent(_) => {
+                place.clone()
+            }
+        }
+    }
+
+    pub(super) fn placement(self, p: &Placement) -> Placement {
+        let lateral = p.lateral.map(|l| if self.left_right { Lateral { side: l.side.other(), ..l } } else { l });
+        let offset = p.offset.map(|(d, metres)| (self.direction(d), metres));
+        Placement { place: self.place(&p.place), lateral, offset, ..p.clone() }
+    }
+
+    pub(super) fn orientation(self, o: &Orientation) -> Orientation {
+        let heading = |h| self.heading(h);
+        Orientation { fingers: o.fingers.map(heading), palm: o.palm.map(heading), ..*o }
+    }
+
+    pub(super) fn movement(self, movement: &Movement) -> Movement {
+        movement.map_actions(&|action| Action {
+            motion: self.motion(&action.motion),
+            target: action.target.as_ref().map(|p| self.placement(p)),
+            brushing: action.brushing.as_ref().map(|p| self.placement(p)),
+            ..action.clone()
+        })
+    }
+
+    fn motion(self, motion: &Motion) -> Motion {
+        match motion {
+            Motion::Hold | Motion::Change | Motion::Return { .. } | Motion::Wiggle(_) => motion.clone(),
+            Motion::Straight { direction, extent, overlay } => {
+                Motion::Straight { direction: self.heading(*direction), extent: *extent, overlay: *overlay }
+            }
+            Motion::Arc { direction, extent, bulge, depth, overlay } => Motion::Arc {
+                direction: self.heading(*direction),
+                extent: *extent,
+                bulge: self.direction(*bulge),
+                depth: *depth,
+                overlay: *overlay,
+            },
+            Motion::Circle { axis, extent, start, turns, ellipse, growth } => Motion::Circle {
+                // An axis of rotation: its mirror image turns the other way round.
+                axis: if self.turns_round() { self.direction(*axis).opposite() } else { self.direction(*axis) },
+                extent: *extent,
+                start: if self.upsets(*axis) { start.opposite() } else { *start },
+                turns: *turns,
+                ellipse: ellipse.map(|(part, long)| (part, self.direction(long))),
+                growth: *growth,
+            },
+            Motion::Wrist(wrist, size) => {
+                Motion::Wrist(if self.turns_round() { wrist.reversed() } else { *wrist }, *size)
+            }
+        }
+    }
+
+    pub(super) fn manual(self, own: &Manual) -> Manual {
+        Manual {
+            configuration: own.configuration.clone(),
+            placement: map_keys(&own.placement, |p| self.placement(p)),
+            orientation: map_keys(&own.orientation, |o| self.orientation(o)),
+            movement: own.movement.iter().map(|m| self.movement(m)).collect(),
+        }
+    }
+
+    pub(super) fn nonmanual(self, value: &NonManual) -> NonManual {
+        let what = match &value.value {
+            NonManualValue::Named(name) => NonManualValue::Named(sides_exchanged(name)),
+            NonManualValue::Towards(heading) => NonManualValue::Towards(self.heading(*heading)),
+            NonManualValue::At(placement) => NonManualValue::At(self.placement(placement)),
+            NonManualValue::Mouthing(sounds) => NonManualValue::Mouthing(sounds.clone()),
+        };
+        NonManual { value: what, amount: value.amount }
+    }
+}
+
+/// `tilted-left` as `tilted-right`.
+fn sides_exchanged(name: &str) -> String {
+    let word = |word| match word {
+        "left" => "right",
+        "right" => "left",
+        other => other,
+    };
+    name.split('-').map(word).collect::<Vec<_>>().join("-")
+}
