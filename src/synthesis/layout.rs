@@ -45,9 +45,9 @@ pub(super) fn lay_out(stage: &Stage, plan: &Plan, prepared: &[Prepared], slower:
                 let own = signs.next();
                 let hands = own.map(|p| &p.hands[..]).unwrap_or_default();
                 let slow = slow / sign.speed;
-                let way = hands.iter().map(|h| coming(stage, h, left[h.side as usize], at) * slow);
+                let ways = hands.iter().map(|h| coming(stage, h, left[h.side as usize], at) * slow);
                 let least = if left.iter().any(Option::is_some) { timing.between_least } else { 0.0 };
-                let transition = way.fold(least / speed, f64::max);
+                let transition = ways.fold(least / speed, f64::max);
                 let last = !plan.items[i + 1..].iter().any(|next| matches!(next.act, Act::Sign(_)))
                     || matches!(plan.items.get(i + 1).map(|next| &next.act), Some(Act::Rest(_)));
                 let pace = speed * sign.speed;
@@ -65,8 +65,8 @@ pub(super) fn lay_out(stage: &Stage, plan: &Plan, prepared: &[Prepared], slower:
             Act::Hold(Some(_), _) => of(0.0, 0.0, 0.0),
             Act::Hold(None, time) => of(0.0, 0.0, time.map_or(timing.hold, |t| t.0) / speed),
             Act::Rest(time) => {
-                let way = [Side::Left, Side::Right].map(|side| leaving(stage, side, left[side as usize], at) * slow);
-                of(way[0].max(way[1]), 0.0, time.map_or(timing.hold, |t| t.0) / speed)
+                let ways = [Side::Left, Side::Right].map(|side| leaving(stage, side, left[side as usize], at) * slow);
+                of(ways[0].max(ways[1]), 0.0, time.map_or(timing.hold, |t| t.0) / speed)
             }
         };
         at += phases.usual().0;
@@ -104,13 +104,11 @@ fn of(transition: f64, stroke: f64, hold: f64) -> Phases {
 
 /// How long a hand needs to a stroke, less the time that it has been free since `at` is the end of the item before.
 fn coming(stage: &Stage, hand: &HandPlan, left: Option<Left>, at: f64) -> f64 {
-    let timing = &stage.grammar.movements.timing;
-    let speed = stage.options.speed;
     match left {
         None => to_rest(stage, hand.side, start_place(stage, hand)),
         Some(left) => {
-            let way = start_place(stage, hand).distance(left.place).min(LONGEST_WAY);
-            (way / timing.transition_speed).max(timing.between_least) / speed - (at - left.free_from)
+            let least = stage.grammar.movements.timing.between_least;
+            way(stage, start_place(stage, hand).distance(left.place), least) - (at - left.free_from)
         }
     }
 }
@@ -122,9 +120,13 @@ fn leaving(stage: &Stage, side: Side, left: Option<Left>, at: f64) -> f64 {
 
 /// Seconds between the neutral pose and a place.
 pub(super) fn to_rest(stage: &Stage, side: Side, place: DVec3) -> f64 {
-    let timing = &stage.grammar.movements.timing;
-    let way = stage.neutral_wrist(side).distance(place).min(LONGEST_WAY);
-    (way / timing.transition_speed).max(timing.transition_least) / stage.options.speed
+    way(stage, stage.neutral_wrist(side).distance(place), stage.grammar.movements.timing.transition_least)
+}
+
+/// Seconds that a hand takes for a way of so many metres; `least` seconds at the usual speed.
+fn way(stage: &Stage, metres: f64, least: f64) -> f64 {
+    let usual = metres.min(LONGEST_WAY) / stage.grammar.movements.timing.transition_speed;
+    usual.max(least) / stage.options.speed
 }
 
 /// Longer ways are not longer in time, metres.

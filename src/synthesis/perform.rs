@@ -216,31 +216,27 @@ fn held_until(
 ) -> f64 {
     let mut until = schedule.items[item].hold_end.0;
     // A buoy: this hand is held while the other goes on.
-    let (mut buoy, mut alone) = (false, true);
+    let mut buoy = false;
     for (j, next) in plan.items.iter().enumerate().skip(item + 1) {
         match &next.act {
-            Act::Hold(None, _) if alone || buoy => until = schedule.items[j].hold_end.0,
-            Act::Hold(Some(h), _) if super::side_of(*h) == hand.side && alone => {
-                buoy = true;
-                until = schedule.items[j].hold_end.0;
-            }
-            Act::Hold(..) => {}
-            Act::Sign(_) => {
-                let own = prepared.iter().find(|p| p.item == j);
-                let again = own.and_then(|p| p.hands.iter().find(|h| h.side == hand.side));
-                if let Some(again) = again {
-                    if buoy {
-                        let way = end_place(stage, hand).distance(start_place(stage, again));
-                        let needs = way / stage.grammar.movements.timing.transition_speed / stage.options.speed;
-                        let at_least = schedule.items[j].stroke.0 - schedule.items[j - 1].hold_end.0;
-                        until = until.max(schedule.items[j].stroke.0 - needs.max(at_least));
-                    }
-                    return until;
-                }
-                if buoy {
+            Act::Hold(None, _) => until = schedule.items[j].hold_end.0,
+            Act::Hold(Some(held), _) => {
+                if super::side_of(*held) == hand.side {
+                    buoy = true;
                     until = schedule.items[j].hold_end.0;
                 }
-                alone = buoy;
+            }
+            Act::Sign(_) if !buoy => return until,
+            Act::Sign(_) => {
+                let own = prepared.binary_search_by_key(&j, |p| p.item).ok().map(|n| &prepared[n]);
+                let Some(again) = own.and_then(|p| p.hands.iter().find(|h| h.side == hand.side)) else {
+                    until = schedule.items[j].hold_end.0;
+                    continue;
+                };
+                let way = end_place(stage, hand).distance(start_place(stage, again));
+                let needs = way / stage.grammar.movements.timing.transition_speed / stage.options.speed;
+                let at_least = schedule.items[j].stroke.0 - schedule.items[j - 1].hold_end.0;
+                return until.max(schedule.items[j].stroke.0 - needs.max(at_least));
             }
             Act::Rest(_) => return until,
         }

@@ -8,7 +8,9 @@ use super::stroke::Stint;
 use crate::motion::pose::LocalPose;
 use crate::motion::rotation::twist_angle;
 use crate::motion::short_arc::ShortArc;
+use crate::motion::skeleton::JointId;
 use crate::phonology::Side;
+use glam::DQuat;
 use std::ops::Range;
 
 /// A way of one arm: its frames, and its two ends in seconds.
@@ -92,28 +94,23 @@ impl Stage<'_> {
         let finger_arcs: [ShortArc; 15] =
             std::array::from_fn(|j| ShortArc::new(way.from.fingers[j], way.to.fingers[j]));
         let whole = (way.end - way.begin).max(1e-9);
+        let ease =
+            |joints: &[JointId], arcs: &[ShortArc], ends: (&[DQuat], &[DQuat]), share: f64, pose: &mut LocalPose| {
+                let weight = easing.weight(share);
+                for (j, joint) in joints.iter().enumerate() {
+                    let rotation = match share {
+                        s if s <= 0.0 => ends.0[j],
+                        s if s >= 1.0 => ends.1[j],
+                        _ => arcs[j].eased(easing, weight),
+                    };
+                    pose.set(*joint, rotation);
+                }
+            };
         for i in way.frames.clone() {
             let pose = &mut poses[i];
             let share = (i as f64 / fps - way.begin) / whole;
-            let weight = easing.weight(share);
-            for (j, joint) in arm_joints.iter().enumerate() {
-                let rotation = match share {
-                    s if s <= 0.0 => way.from.arm[j],
-                    s if s >= 1.0 => way.to.arm[j],
-                    _ => arm_arcs[j].eased(easing, weight),
-                };
-                pose.set(*joint, rotation);
-            }
-            let formed = share / way.lead;
-            let weight = easing.weight(formed);
-            for (j, joint) in finger_joints.iter().enumerate() {
-                let rotation = match formed {
-                    s if s <= 0.0 => way.from.fingers[j],
-                    s if s >= 1.0 => way.to.fingers[j],
-                    _ => finger_arcs[j].eased(easing, weight),
-                };
-                pose.set(*joint, rotation);
-            }
+            ease(&arm_joints, &arm_arcs, (&way.from.arm, &way.to.arm), share, pose);
+            ease(&finger_joints, &finger_arcs, (&way.from.fingers, &way.to.fingers), share / way.lead, pose);
             let twist = twist_angle(pose.rotation(arm.hand), arm.rest.fore());
             arm.write_twist(twist, pose);
         }
