@@ -12,6 +12,7 @@
 
 pub mod explain;
 pub mod gloss;
+pub mod hamnosys;
 mod lex;
 pub mod lexicon;
 pub mod lower;

@@ -1,0 +1,5 @@
+//! HamNoSys 4 and SiGML: strings of symbols, lists of their names, XML.
+//!
+//! One tree ([`syntax`]) for all of them; `lower` makes a [`Sign`](crate::phonology::Sign) of it, `raise` goes back.
+
+pub mod syntax;
