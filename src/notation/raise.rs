@@ -9,8 +9,8 @@ use crate::diagnostics::{Span, Spanned};
 use crate::phonology::operator::Operator;
 use crate::phonology::recombination::{Base, Recombination};
 use crate::phonology::{
-    Action, Attested, Configuration, Contact, Distance, Extent, Hand, Hands, Keys, Manual, Motion, Movement, NonManual,
-    NonManualValue, Orientation, Place, Placement, Sign,
+    Action, Attested, Configuration, Contact, Direction, Distance, Extent, Hand, HandPart, HandPoint, Hands, Heading,
+    Keys, Manual, Motion, Movement, NonManual, NonManualValue, Orientation, Place, Placement, Sign,
 };
 
 /// A sign as text.
@@ -227,7 +227,7 @@ fn keys<T, U>(keys: &Keys<T>, intervals: usize, value: impl Fn(&T) -> U) -> Opti
 fn configuration(v: &Configuration) -> syntax::Configuration {
     syntax::Configuration {
         base: plain(v.base.clone()),
-        between: v.between.clone().map(plain),
+        between: v.between.as_ref().map(|b| plain(b.second.clone())),
         changes: v.changes.clone(),
     }
 }
@@ -238,7 +238,7 @@ fn place(v: &Place) -> syntax::Place {
         Place::OtherHand(point) => syntax::Place::OtherHand(*point),
         Place::Space(cell) => syntax::Place::Space(*cell),
         Place::Point(at) => syntax::Place::Point(at.to_array()),
-        Place::Between(a, b) => syntax::Place::Between(Box::new(place(a)), Box::new(place(b))),
+        Place::Between(a, b) => syntax::Place::Between(Box::new(place(&a.place)), Box::new(place(&b.place))),
         Place::Referent(name) => syntax::Place::Referent(name.clone()),
         Place::Towards(at) => syntax::Place::Towards(Box::new(place(at))),
     }
@@ -285,6 +285,7 @@ pub(crate) fn movement(v: &Movement) -> syntax::Movement {
         Movement::Sequence(parts) => syntax::Movement::Group { fused: false, parts: all(parts) },
         Movement::Fused(parts) => syntax::Movement::Group { fused: true, parts: all(parts) },
         Movement::Together(parts) => syntax::Movement::Together(all(parts)),
+        Movement::Repeated(r) => syntax::Movement::Repeated(Box::new(movement(&r.movement)), r.repetition),
         Movement::Backwards(inner) => syntax::Movement::Backwards(Box::new(movement(inner))),
         Movement::Action(action) => syntax::Movement::Action(Box::new(syntax::Action {
             motion: motion(&action.motion),
@@ -309,15 +310,21 @@ fn motion(v: &Motion) -> syntax::Motion {
         Motion::Arc { direction, extent: e, bulge, depth, overlay } => syntax::Motion::Arc {
             direction,
             extent: extent(e),
-            bulge: (bulge != default_bulge(direction)).then_some(bulge),
+            bulge: (bulge != default_bulge(direction).into()).then_some(first_of(bulge)),
             depth,
             overlay,
         },
-        Motion::Circle { axis, extent: e, start, turns, ellipse, growth } => {
-            syntax::Motion::Circle { axis, extent: extent(e), start, turns, ellipse, growth }
+        Motion::Circle { axis, extent: e, start, turns, ellipse, growth, overlay: _ } => {
+            syntax::Motion::Circle { axis: first_of(axis), extent: extent(e), start, turns, ellipse, growth }
         }
         Motion::Wrist(wrist, size) => syntax::Motion::Wrist(wrist, size),
         Motion::Wiggle(digits) => syntax::Motion::Wiggle(digits),
+    }
+}
+
+fn first_of(heading: Heading) -> Direction {
+    match heading {
+        Heading::Toward(d) | Heading::Between(d, _) => d,
     }
 }
 
@@ -330,7 +337,8 @@ fn contact(v: Contact) -> syntax::Contact {
         Meant::Interlocked => ContactKind::Interlocks,
         Meant::Metres(far) => ContactKind::LengthFrom(Length::from_metres(far)),
     };
-    syntax::Contact { strong: v.strong, kind, weak: v.weak }
+    let palm = || HandPoint::new(Default::default(), HandPart::Palm, None).expect("a palm has no digits");
+    syntax::Contact { strong: v.strong.unwrap_or_else(palm), kind, weak: v.weak.unwrap_or_else(palm) }
 }
 
 fn nonmanual(v: &NonManual) -> syntax::NonManual {
@@ -339,6 +347,7 @@ fn nonmanual(v: &NonManual) -> syntax::NonManual {
         NonManualValue::Towards(heading) => NonManualWhat::Towards(*heading),
         NonManualValue::At(place) => NonManualWhat::At(Box::new(placement(place))),
         NonManualValue::Mouthing(sounds) => NonManualWhat::Mouthing(sounds.clone()),
+        NonManualValue::Sequence(_) | NonManualValue::Together(_) => NonManualWhat::Mouthing(String::new()),
     };
     syntax::NonManual { what, amount: v.amount }
 }

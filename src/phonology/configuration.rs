@@ -3,7 +3,7 @@
 //! The names and their joint angles are data (`grammar/handshapes.ron`). HamNoSys writes a handshape as
 //! a class with modifiers; both come to a base and changes, and to joint angles in `handshape`.
 
-use super::hand::{Digit, Digits};
+use super::hand::{Digit, Digits, HandPart};
 
 /// A handshape: a named one, perhaps halfway to a second, perhaps changed (`U, thumb out, index hooked`).
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
@@ -11,8 +11,19 @@ pub struct Configuration {
     /// The name of a handshape of the inventory, as written.
     pub base: String,
     /// A second handshape: the configuration lies halfway between the two (HamNoSys "between").
-    pub between: Option<String>,
-    /// Changes, applied in order.
+    pub between: Option<Box<Between>>,
+    /// Changes to the whole, applied in order; where it lies between two, after they are mixed.
+    pub changes: Vec<HandshapeChange>,
+}
+
+/// What a configuration lies halfway to: `between flat, thumb out and 5, round`.
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+pub struct Between {
+    /// Changes to the first handshape alone, before the two are mixed.
+    pub first: Vec<HandshapeChange>,
+    /// The name of the second handshape.
+    pub second: String,
+    /// Changes to the second handshape alone.
     pub changes: Vec<HandshapeChange>,
 }
 
@@ -20,6 +31,12 @@ impl Configuration {
     /// A named handshape without changes.
     pub fn named(base: impl Into<String>) -> Configuration {
         Configuration { base: base.into(), between: None, changes: Vec::new() }
+    }
+
+    /// Halfway between two named handshapes without changes.
+    pub fn halfway(first: impl Into<String>, second: impl Into<String>) -> Configuration {
+        let between = Between { first: Vec::new(), second: second.into(), changes: Vec::new() };
+        Configuration { between: Some(Box::new(between)), ..Configuration::named(first) }
     }
 }
 
@@ -36,6 +53,42 @@ pub enum HandshapeChange {
     Cross(Digit, Digit),
     /// `thumb between index middle`.
     ThumbBetween(Digit, Digit),
+    /// `on ring pinky`: these fingers do what the handshape's own fingers do (HamNoSys's list of fingers): `1, on pinky` is
+    /// the stretched little finger.
+    On(Digits),
+    /// `except index`: these digits keep what they had before the bends of the whole hand.
+    Except(Digits),
+    /// `tight` or `slack`: the opening between thumb and fingers of a C or of an open pinch.
+    Opening(Opening),
+    /// `index at middle nail`: the first digit touches that part of the second (HamNoSys's finger crossing).
+    Meet(Digit, HandPart, Digit),
+    /// `thumb at pad`: the part of the fingers that the thumb touches in a pinch.
+    ThumbAt(HandPart),
+    /// `index joints 4 1 0`: knuckle, middle and last joint bent by so many quarters of their range (SiGML's codes); no digits
+    /// means the selected fingers.
+    Joints(Digits, [u8; 3]),
+}
+
+/// How open a C or an open pinch is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Opening {
+    /// Nearly closed (HamNoSys writes `hamthumbacrossmod`).
+    Tight,
+    /// Wide open (HamNoSys writes `hamthumbopenmod`).
+    Slack,
+}
+
+impl Opening {
+    /// Both.
+    pub const ALL: [Opening; 2] = [Opening::Tight, Opening::Slack];
+
+    /// The name in text.
+    pub fn name(self) -> &'static str {
+        match self {
+            Opening::Tight => "tight",
+            Opening::Slack => "slack",
+        }
+    }
 }
 
 /// Where the thumb is.
@@ -49,12 +102,19 @@ pub enum ThumbPosition {
     Across,
     /// Facing the fingers (hamthumbopenmod).
     Opposed,
+    /// Across the palm, under the closed fingers (hamthumbacrossmod hambetween).
+    Enclosed,
 }
 
 impl ThumbPosition {
     /// All of them.
-    pub const ALL: [ThumbPosition; 4] =
-        [ThumbPosition::Along, ThumbPosition::Out, ThumbPosition::Across, ThumbPosition::Opposed];
+    pub const ALL: [ThumbPosition; 5] = [
+        ThumbPosition::Along,
+        ThumbPosition::Out,
+        ThumbPosition::Across,
+        ThumbPosition::Opposed,
+        ThumbPosition::Enclosed,
+    ];
 
     /// The name in text.
     pub fn name(self) -> &'static str {
@@ -63,6 +123,7 @@ impl ThumbPosition {
             ThumbPosition::Out => "out",
             ThumbPosition::Across => "across",
             ThumbPosition::Opposed => "opposed",
+            ThumbPosition::Enclosed => "enclosed",
         }
     }
 }

@@ -147,6 +147,16 @@ impl Heading {
         }
     }
 
+    /// The opposite heading.
+    pub fn opposite(self) -> Heading {
+        self.map(Direction::opposite)
+    }
+
+    /// Whether it lies nearer to the upright than 26 degrees, so that a circle about it is level.
+    pub(crate) fn is_upright(self) -> bool {
+        self.vector().y.abs() > 0.9
+    }
+
     /// The heading with each of its directions changed.
     pub fn map(self, f: impl Fn(Direction) -> Direction) -> Heading {
         match self {

@@ -238,11 +238,19 @@ impl Flank {
     }
 }
 
-/// A point of a hand or arm: part, digits where the part needs them (several: their middle), face.
+/// A point of a hand or arm: part, digits where the part needs them (several: their middle), face; or halfway to another
+/// such point.
 ///
-/// Written `index tip`, `index middle pad`, `radial index side`, `palm`.
+/// Written `index tip`, `index middle pad`, `radial index side`, `palm`, `index tip to index midjoint`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct HandPoint {
+    first: Spot,
+    second: Option<Spot>,
+}
+
+/// A named spot of a hand or arm.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+struct Spot {
     digits: Digits,
     part: HandPart,
     flank: Option<Flank>,
@@ -253,7 +261,22 @@ impl HandPoint {
     /// wrist joint.
     pub fn new(digits: Digits, part: HandPart, flank: Option<Flank>) -> Option<HandPoint> {
         let sound = part.needs_digit() != digits.is_empty() && (part != HandPart::Wrist || flank.is_none());
-        sound.then_some(HandPoint { digits, part, flank })
+        sound.then_some(HandPoint { first: Spot { digits, part, flank }, second: None })
+    }
+
+    /// Halfway between two points (HamNoSys "between"); what they are halfway to themselves is left out.
+    pub fn halfway(self, to: HandPoint) -> HandPoint {
+        HandPoint { first: self.first, second: Some(to.first) }
+    }
+
+    /// The point that this one lies halfway to.
+    pub fn second(self) -> Option<HandPoint> {
+        self.second.map(|first| HandPoint { first, second: None })
+    }
+
+    /// The first of the two points that this one lies between; itself where it lies between none.
+    pub fn first(self) -> HandPoint {
+        HandPoint { first: self.first, second: None }
     }
 
     /// A part of one digit.
@@ -261,23 +284,32 @@ impl HandPoint {
         HandPoint::new(Digits::of([digit]), part, None)
     }
 
-    /// The digits; empty for parts of the whole limb.
+    /// The digits; empty for parts of the whole limb. Of the first point where it lies between two, as all that follow.
     pub fn digits(self) -> Digits {
-        self.digits
+        self.first.digits
     }
 
     /// The part.
     pub fn part(self) -> HandPart {
-        self.part
+        self.first.part
     }
 
     /// The face, where stated.
     pub fn flank(self) -> Option<Flank> {
-        self.flank
+        self.first.flank
     }
 }
 
 impl fmt::Display for HandPoint {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.second {
+            None => self.first.fmt(f),
+            Some(second) => write!(f, "{} to {second}", self.first),
+        }
+    }
+}
+
+impl fmt::Display for Spot {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         if let Some(flank) = self.flank {
             write!(f, "{} ", flank.name())?;

@@ -30,15 +30,16 @@ pub mod roll;
 pub mod sign;
 pub mod symmetry;
 
-pub use configuration::{Bend, Configuration, HandshapeChange, ThumbPosition};
+pub use configuration::{Bend, Between, Configuration, HandshapeChange, Opening, ThumbPosition};
 pub use direction::{Direction, Heading};
 pub use hand::{Digit, Digits, Flank, Hand, HandPart, HandPoint, Side};
 pub use handshape::{HandAngles, Handshape, HandshapeInventory};
 pub use location::{Location, LocationInventory, LocationKind};
 pub use movement::{
-    Action, Clock, Extent, Manner, Motion, Movement, Overlay, Repetition, RepetitionKind, Size, WristMotion,
+    Action, Becoming, Clock, Extent, Manner, Motion, Movement, Overlay, Repeated, Repetition, RepetitionKind, Shift,
+    Size, WristMotion,
 };
 pub use nonmanual::{Amount, Channel, NonManual, NonManualValue};
 pub use orientation::Orientation;
-pub use placement::{Contact, ContactKind, Distance, Forced, Lateral, Place, Placement, Relocation, Space};
+pub use placement::{Contact, ContactKind, Distance, Forced, Lateral, Place, Placement, Relocation, Sited, Space};
 pub use sign::{Attested, Hands, Keys, Manual, Relation, Sign, Symmetry};

@@ -1,8 +1,10 @@
 //! Hand movement: primitives, paths to places, and how they combine and repeat.
 
+use super::configuration::Configuration;
 use super::direction::{Direction, Heading};
 use super::hand::Digits;
-use super::placement::Placement;
+use super::orientation::Orientation;
+use super::placement::{Contact, Placement};
 use crate::time::Seconds;
 
 /// The movement of one interval between two keys.
@@ -16,6 +18,8 @@ pub enum Movement {
     Together(Vec<Movement>),
     /// Blended into one (HamNoSys `hamfusionbegin`).
     Fused(Vec<Movement>),
+    /// Several movements together performed more than once (HamNoSys's repetition of a bracket).
+    Repeated(Box<Repeated>),
     /// Played backwards, from its end to its start. Keys that it names count from the sign's end.
     Backwards(Box<Movement>),
 }
@@ -29,7 +33,27 @@ impl Movement {
             Movement::Sequence(parts) => Movement::Sequence(all(parts)),
             Movement::Together(parts) => Movement::Together(all(parts)),
             Movement::Fused(parts) => Movement::Fused(all(parts)),
+            Movement::Repeated(r) => {
+                Movement::Repeated(Box::new(Repeated { movement: r.movement.map_actions(f), ..(**r).clone() }))
+            }
             Movement::Backwards(inner) => Movement::Backwards(Box::new(inner.map_actions(f))),
+        }
+    }
+
+    /// The same with its groups' repetitions changed; those of single actions stay.
+    pub fn map_repetitions(&self, f: &impl Fn(Repetition) -> Repetition) -> Movement {
+        let all = |parts: &[Movement]| parts.iter().map(|m| m.map_repetitions(f)).collect();
+        match self {
+            Movement::Action(action) => Movement::Action(action.clone()),
+            Movement::Sequence(parts) => Movement::Sequence(all(parts)),
+            Movement::Together(parts) => Movement::Together(all(parts)),
+            Movement::Fused(parts) => Movement::Fused(all(parts)),
+            Movement::Repeated(r) => Movement::Repeated(Box::new(Repeated {
+                movement: r.movement.map_repetitions(f),
+                repetition: f(r.repetition),
+                alternating: r.alternating,
+            })),
+            Movement::Backwards(inner) => Movement::Backwards(Box::new(inner.map_repetitions(f))),
         }
     }
 
@@ -40,9 +64,21 @@ impl Movement {
             Movement::Sequence(parts) | Movement::Together(parts) | Movement::Fused(parts) => {
                 parts.iter().any(|m| m.any_action(is_such))
             }
+            Movement::Repeated(r) => r.movement.any_action(is_such),
             Movement::Backwards(inner) => inner.any_action(is_such),
         }
     }
+}
+
+/// A group of movements performed more than once. A single action has its repetition itself.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Repeated {
+    /// What is repeated.
+    pub movement: Movement,
+    /// How.
+    pub repetition: Repetition,
+    /// The two hands take turns (HamNoSys `hamalternatingmotion`).
+    pub alternating: bool,
 }
 
 /// One movement with everything that may be said of it.
@@ -60,8 +96,33 @@ pub struct Action {
     pub repetition: Option<Repetition>,
     /// How long one performance lasts.
     pub duration: Option<Seconds>,
+    /// How fast: its times are divided by it; 1 where nothing is said, from 0.05 to 20 (SiGML `speed`).
+    pub pace: f64,
     /// The two hands take turns (HamNoSys `hamalternatingmotion`).
     pub alternating: bool,
+    /// The posture that the hand takes on meanwhile and keeps from then on: within an interval what keys say between
+    /// intervals (HamNoSys `hamreplace` in a bracket).
+    pub becoming: Option<Box<Becoming>>,
+    /// The name under which later placements find the place reached (HamNoSys `hamcoreftag`).
+    pub names: Option<String>,
+}
+
+/// What changes of a posture during a movement. What is not stated stays as it was.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Becoming {
+    /// The new configuration.
+    pub configuration: Option<Configuration>,
+    /// The new orientation.
+    pub orientation: Option<Orientation>,
+    /// How the hands meet then.
+    pub contact: Option<Contact>,
+}
+
+impl Becoming {
+    /// Whether nothing changes.
+    pub fn is_empty(&self) -> bool {
+        *self == Becoming::default()
+    }
 }
 
 impl Action {
@@ -74,7 +135,10 @@ impl Action {
             manner: Vec::new(),
             repetition: None,
             duration: None,
+            pace: 1.0,
             alternating: false,
+            becoming: None,
+            names: None,
         }
     }
 }
@@ -107,7 +171,7 @@ pub enum Motion {
         /// Length of the chord.
         extent: Extent,
         /// The side of the bend.
-        bulge: Direction,
+        bulge: Heading,
         /// How bent: the height of the bend is 0.1 (small), 0.25 (normal) or 0.5 (large) of the chord.
         depth: Size,
         /// Small waves on the way.
@@ -116,7 +180,7 @@ pub enum Motion {
     /// A circle or an ellipse. Clockwise as seen by one who looks along the axis.
     Circle {
         /// The axis.
-        axis: Direction,
+        axis: Heading,
         /// The radius: 2, 5 or 10 cm, or metres.
         extent: Extent,
         /// Where it starts (its top where not said).
@@ -127,6 +191,8 @@ pub enum Motion {
         ellipse: Option<(f64, Direction)>,
         /// Growing (+) or shrinking (−) with each turn.
         growth: i8,
+        /// Small waves on the way.
+        overlay: Option<Overlay>,
     },
     /// A small movement of the wrist, to and fro.
     Wrist(WristMotion, Size),
@@ -162,6 +228,18 @@ pub struct Overlay {
     pub zigzag: bool,
     /// How large the waves are.
     pub size: Size,
+    /// The direction in which the path swings; across the path, as level as can be, where it is not said (HamNoSys's
+    /// ellipse symbols).
+    pub across: Option<Direction>,
+    /// Waves that grow (+) or shrink (−).
+    pub growth: i8,
+}
+
+impl Overlay {
+    /// Waves of which only the kind and the size are said.
+    pub fn new(zigzag: bool, size: Size) -> Overlay {
+        Overlay { zigzag, size, across: None, growth: 0 }
+    }
 }
 
 /// A place on the clock face of a circle, in eighths of a turn clockwise from the top: 0 to 7.
@@ -244,11 +322,26 @@ pub enum Manner {
     Rest,
     /// HamNoSys `hamhalt`: a sudden stop.
     Halt,
+    /// SiGML `bouncing`: back a little after the end.
+    Bouncing,
+    /// The fingers change one after the other, the little finger last (HamNoSys `hamreplace hamincreasing`).
+    TowardPinky,
+    /// The fingers change one after the other, the thumb last.
+    TowardThumb,
 }
 
 impl Manner {
     /// All of them.
-    pub const ALL: [Manner; 5] = [Manner::Fast, Manner::Slow, Manner::Tense, Manner::Rest, Manner::Halt];
+    pub const ALL: [Manner; 8] = [
+        Manner::Fast,
+        Manner::Slow,
+        Manner::Tense,
+        Manner::Rest,
+        Manner::Halt,
+        Manner::Bouncing,
+        Manner::TowardPinky,
+        Manner::TowardThumb,
+    ];
 
     /// The name in text.
     pub fn name(self) -> &'static str {
@@ -258,6 +351,9 @@ impl Manner {
             Manner::Tense => "tense",
             Manner::Rest => "rest",
             Manner::Halt => "halt",
+            Manner::Bouncing => "bouncing",
+            Manner::TowardPinky => "toward-pinky",
+            Manner::TowardThumb => "toward-thumb",
         }
     }
 }
@@ -267,10 +363,28 @@ impl Manner {
 pub struct Repetition {
     /// In what way.
     pub kind: RepetitionKind,
-    /// Performances in all, from 2 ("several" is 3).
+    /// Performances in all, from 2 ("several" is 3); there and back once is 1.
     pub times: u8,
     /// Each larger (+) or smaller (−) than the one before.
     pub growth: i8,
+    /// Each performance is moved on from the one before (HamNoSys's repetition with an arrow).
+    pub shift: Option<Shift>,
+}
+
+impl Repetition {
+    /// So many performances, all alike and in one place.
+    pub fn new(kind: RepetitionKind, times: u8) -> Repetition {
+        Repetition { kind, times, growth: 0, shift: None }
+    }
+}
+
+/// How far the place of a movement is moved between its repetitions.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub struct Shift {
+    /// Where to.
+    pub direction: Direction,
+    /// How far all repetitions together lead; the sizes of straight paths.
+    pub size: Size,
 }
 
 /// The ways to repeat.

@@ -71,6 +71,15 @@ pub struct NonManual {
     pub value: NonManualValue,
     /// How much.
     pub amount: Amount,
+    /// How fast it comes, beats and goes: its times are divided by it; 1 where nothing is said (SiGML `speed`).
+    pub pace: f64,
+}
+
+impl NonManual {
+    /// A value of which nothing more is said.
+    pub fn plain(value: NonManualValue) -> NonManual {
+        NonManual { value, amount: Amount::Plain, pace: 1.0 }
+    }
 }
 
 /// What a non-manual tier says.
@@ -84,6 +93,10 @@ pub enum NonManualValue {
     At(Placement),
     /// A word mouthed, in SAMPA: `mouthing "ZuR"`.
     Mouthing(String),
+    /// One after the other, in the time of the whole: `(puffed then mouthing "ba")`.
+    Sequence(Vec<NonManual>),
+    /// At the same time: `(nod while tilted-left)`.
+    Together(Vec<NonManual>),
 }
 
 /// How much of a value.
@@ -96,4 +109,28 @@ pub enum Amount {
     Plain,
     /// Half as much again, as far as the face goes.
     Strong,
+    /// A percentage, from 1 to 300; 50, 100 and 150 are the three above.
+    Percent(u16),
+}
+
+impl Amount {
+    /// The amount of a factor: a named one where there is one.
+    pub fn of(factor: f64) -> Amount {
+        match (factor * 100.0).round().clamp(1.0, 300.0) as u16 {
+            50 => Amount::Slight,
+            100 => Amount::Plain,
+            150 => Amount::Strong,
+            percent => Amount::Percent(percent),
+        }
+    }
+
+    /// The factor by which the inventory's value is multiplied.
+    pub fn factor(self) -> f64 {
+        match self {
+            Amount::Slight => 0.5,
+            Amount::Plain => 1.0,
+            Amount::Strong => 1.5,
+            Amount::Percent(percent) => f64::from(percent) / 100.0,
+        }
+    }
 }

@@ -39,12 +39,27 @@ pub enum Place {
     Space(Space),
     /// A point in model space, metres.
     Point(DVec3),
-    /// Halfway between two places.
-    Between(Box<Place>, Box<Place>),
+    /// Halfway between two places, each perhaps with a side of its own.
+    Between(Box<Sited>, Box<Sited>),
     /// A place given a name by coreference (HamNoSys `hamcoreftag`, `hamcorefref`).
     Referent(String),
     /// Where a hand is held to point at a place: its pointing ray passes through it (Naert et al. 2021, §4.2).
     Towards(Box<Place>),
+}
+
+/// A place with its side: one of the two that a placement lies between.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Sited {
+    /// The place.
+    pub place: Place,
+    /// To which side of it; where it is not said, that of the whole placement.
+    pub lateral: Option<Lateral>,
+}
+
+impl From<Place> for Sited {
+    fn from(place: Place) -> Sited {
+        Sited { place, lateral: None }
+    }
 }
 
 /// A sign moved to a place as a whole: spatialization (Naert et al. 2021, §4.1).
@@ -108,10 +123,10 @@ pub enum Distance {
 /// How the two hands meet (HamNoSys hand constellation).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Contact {
-    /// The point of the strong hand.
-    pub strong: HandPoint,
+    /// The point of the strong hand; where it is not said, what its configuration touches with.
+    pub strong: Option<HandPoint>,
     /// The point of the weak hand.
-    pub weak: HandPoint,
+    pub weak: Option<HandPoint>,
     /// In what way.
     pub kind: ContactKind,
 }

@@ -2,10 +2,10 @@
 //!
 //! A symmetry exchanges them between the hands of one sign, the operators between signs.
 
-use super::movement::{Action, Motion, Movement};
+use super::movement::{Action, Becoming, Motion, Movement, Overlay, Repetition, Shift};
 use super::nonmanual::{NonManual, NonManualValue};
 use super::orientation::Orientation;
-use super::placement::{Lateral, Place, Placement, Space};
+use super::placement::{Lateral, Place, Placement, Sited, Space};
 use super::sign::{Manual, Relation, Symmetry};
 use super::symmetry::map_keys;
 use super::{Direction, Heading};
@@ -64,8 +64,8 @@ impl Reflection {
     }
 
     /// Whether the top of a circle's clock becomes its bottom: the highest point, of a level circle the farthest one.
-    fn upsets(self, axis: Direction) -> bool {
-        if axis == Direction::UP || axis == Direction::DOWN { self.out_in } else { self.up_down }
+    fn upsets(self, axis: Heading) -> bool {
+        if axis.is_upright() { self.out_in } else { self.up_down }
     }
 
     pub(super) fn place(self, place: &Place) -> Place {
@@ -74,7 +74,7 @@ impl Reflection {
                 Place::Space(Space { left: -cell.left, ..*cell })
             }
             Place::Point(p) if self.left_right && !self.keeps_space => Place::Point(DVec3::new(-p.x, p.y, p.z)),
-            Place::Between(a, b) => Place::Between(Box::new(self.place(a)), Box::new(self.place(b))),
+            Place::Between(a, b) => Place::Between(Box::new(self.sited(a)), Box::new(self.sited(b))),
             Place::Towards(at) => Place::Towards(Box::new(self.place(at))),
             Place::Body(_) | Place::OtherHand(_) | Place::Space(_) | Place::Point(_) | Place::Referent(_) => {
                 place.clone()
@@ -82,8 +82,16 @@ impl Reflection {
         }
     }
 
+    fn sited(self, of: &Sited) -> Sited {
+        Sited { place: self.place(&of.place), lateral: of.lateral.map(|l| self.lateral(l)) }
+    }
+
+    fn lateral(self, l: Lateral) -> Lateral {
+        if self.left_right { Lateral { side: l.side.other(), ..l } } else { l }
+    }
+
     pub(super) fn placement(self, p: &Placement) -> Placement {
-        let lateral = p.lateral.map(|l| if self.left_right { Lateral { side: l.side.other(), ..l } } else { l });
+        let lateral = p.lateral.map(|l| self.lateral(l));
         let offset = p.offset.map(|(d, metres)| (self.direction(d), metres));
         Placement { place: self.place(&p.place), lateral, offset, ..p.clone() }
     }
@@ -94,35 +102,55 @@ impl Reflection {
     }
 
     pub(super) fn movement(self, movement: &Movement) -> Movement {
-        movement.map_actions(&|action| Action {
-            motion: self.motion(&action.motion),
-            target: action.target.as_ref().map(|p| self.placement(p)),
-            brushing: action.brushing.as_ref().map(|p| self.placement(p)),
-            ..action.clone()
-        })
+        movement
+            .map_actions(&|action| Action {
+                motion: self.motion(&action.motion),
+                target: action.target.as_ref().map(|p| self.placement(p)),
+                brushing: action.brushing.as_ref().map(|p| self.placement(p)),
+                repetition: action.repetition.map(|r| self.repetition(r)),
+                becoming: action.becoming.as_ref().map(|b| Box::new(self.becoming(b))),
+                ..action.clone()
+            })
+            .map_repetitions(&|r| self.repetition(r))
+    }
+
+    fn repetition(self, r: Repetition) -> Repetition {
+        let shift = r.shift.map(|s| Shift { direction: self.direction(s.direction), ..s });
+        Repetition { shift, ..r }
+    }
+
+    fn becoming(self, b: &Becoming) -> Becoming {
+        Becoming { orientation: b.orientation.map(|o| self.orientation(&o)), ..b.clone() }
+    }
+
+    fn overlay(self, overlay: Option<Overlay>) -> Option<Overlay> {
+        overlay.map(|o| Overlay { across: o.across.map(|d| self.direction(d)), ..o })
     }
 
     fn motion(self, motion: &Motion) -> Motion {
         match motion {
             Motion::Hold | Motion::Change | Motion::Return { .. } | Motion::Wiggle(_) => motion.clone(),
-            Motion::Straight { direction, extent, overlay } => {
-                Motion::Straight { direction: self.heading(*direction), extent: *extent, overlay: *overlay }
-            }
+            Motion::Straight { direction, extent, overlay } => Motion::Straight {
+                direction: self.heading(*direction),
+                extent: *extent,
+                overlay: self.overlay(*overlay),
+            },
             Motion::Arc { direction, extent, bulge, depth, overlay } => Motion::Arc {
                 direction: self.heading(*direction),
                 extent: *extent,
-                bulge: self.direction(*bulge),
+                bulge: self.heading(*bulge),
                 depth: *depth,
-                overlay: *overlay,
+                overlay: self.overlay(*overlay),
             },
-            Motion::Circle { axis, extent, start, turns, ellipse, growth } => Motion::Circle {
+            Motion::Circle { axis, extent, start, turns, ellipse, growth, overlay } => Motion::Circle {
                 // An axis of rotation: its mirror image turns the other way round.
-                axis: if self.turns_round() { self.direction(*axis).opposite() } else { self.direction(*axis) },
+                axis: if self.turns_round() { self.heading(*axis).opposite() } else { self.heading(*axis) },
                 extent: *extent,
                 start: if self.upsets(*axis) { start.opposite() } else { *start },
                 turns: *turns,
                 ellipse: ellipse.map(|(part, long)| (part, self.direction(long))),
                 growth: *growth,
+                overlay: self.overlay(*overlay),
             },
             Motion::Wrist(wrist, size) => {
                 Motion::Wrist(if self.turns_round() { wrist.reversed() } else { *wrist }, *size)
@@ -145,8 +173,14 @@ impl Reflection {
             NonManualValue::Towards(heading) => NonManualValue::Towards(self.heading(*heading)),
             NonManualValue::At(placement) => NonManualValue::At(self.placement(placement)),
             NonManualValue::Mouthing(sounds) => NonManualValue::Mouthing(sounds.clone()),
+            NonManualValue::Sequence(parts) => NonManualValue::Sequence(self.nonmanuals(parts)),
+            NonManualValue::Together(parts) => NonManualValue::Together(self.nonmanuals(parts)),
         };
-        NonManual { value: what, amount: value.amount }
+        NonManual { value: what, amount: value.amount, pace: value.pace }
+    }
+
+    fn nonmanuals(self, parts: &[NonManual]) -> Vec<NonManual> {
+        parts.iter().map(|part| self.nonmanual(part)).collect()
     }
 }
 

@@ -46,6 +46,12 @@ pub struct Sign {
     pub base: Vec<Attested>,
     /// Where the whole sign is moved to.
     pub relocated: Option<Relocation>,
+    /// The other hand stays as the phase before left it; only in [`Sign::then`] (SiGML `holdover`).
+    pub holds_over: bool,
+    /// Further phases, performed after this one without rest: each with hands, tiers and keys of its own, without name,
+    /// meaning, or phases (HamNoSys `hamplus` between signs, several `sign_manual` in SiGML). Non-manual values of this sign hold
+    /// over all phases.
+    pub then: Vec<Sign>,
 }
 
 /// A configuration that is attested on a derivative base or shape specifier, and what the sign means then
@@ -83,7 +89,14 @@ impl Sign {
             speed: 1.0,
             base: Vec::new(),
             relocated: None,
+            holds_over: false,
+            then: Vec::new(),
         }
+    }
+
+    /// All phases in order: this one and those after it.
+    pub fn phases(&self) -> impl Iterator<Item = &Sign> {
+        std::iter::once(self).chain(&self.then)
     }
 }
 

@@ -137,7 +137,7 @@ pub(super) fn crossed(p: &Placement, hand: Hand) -> Placement {
 }
 
 /// A contact seen from a hand: its own point, and the other's.
-pub fn points(contact: &Contact, hand: Hand) -> (HandPoint, HandPoint) {
+pub fn points(contact: &Contact, hand: Hand) -> (Option<HandPoint>, Option<HandPoint>) {
     match hand {
         Hand::Strong => (contact.strong, contact.weak),
         Hand::Weak => (contact.weak, contact.strong),

@@ -56,7 +56,10 @@ impl Stage<'_> {
                 (_, Some(sign)) => Some(self.planner().place(placement, sign.sign)?.position(model)),
                 (_, None) => Some(self.planner().place(placement, &Sign::named(""))?.position(model)),
             },
-            NonManualValue::Named(_) | NonManualValue::Mouthing(_) => None,
+            NonManualValue::Named(_)
+            | NonManualValue::Mouthing(_)
+            | NonManualValue::Sequence(_)
+            | NonManualValue::Together(_) => None,
         };
         Ok(place.map(|p| p - eyes))
     }

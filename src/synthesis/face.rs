@@ -4,7 +4,7 @@ use crate::body::signer::Turn;
 use crate::diagnostics::Error;
 use crate::motion::easing::smoothstep;
 use crate::phonology::expression::{Expression, Expressions};
-use crate::phonology::{Amount, Channel, Keys, NonManual, NonManualValue, Side};
+use crate::phonology::{Channel, Keys, NonManual, NonManualValue, Side};
 use glam::DVec3;
 
 /// One value of a non-manual tier over a span of time.
@@ -65,11 +65,7 @@ pub fn lay_out(
         let until = stated.get(i + 1).and_then(|(next, _)| keys.get(*next)).copied().unwrap_or(end);
         // A value stated at the last key alone is held while the sign ends.
         let until = until.max(start + 0.05);
-        let amount = match value.amount {
-            Amount::Slight => 0.5,
-            Amount::Plain => 1.0,
-            Amount::Strong => 1.5,
-        };
+        let amount = value.amount.factor();
         let cue = |start: f64, end: f64, effect: Effect| Cue { start, end, channel, effect, amount };
         match &value.value {
             NonManualValue::Named(name) => {

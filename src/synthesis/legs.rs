@@ -9,8 +9,8 @@ use crate::motion::easing::Easing;
 use crate::phonology::movement_table::MovementTable;
 use crate::phonology::symmetry::Turns;
 use crate::phonology::{
-    Action, Clock, Digits, Direction, Extent, Manner, Motion, Movement, Overlay, Placement, RepetitionKind, Size,
-    WristMotion,
+    Action, Clock, Digits, Direction, Extent, Heading, Manner, Motion, Movement, Overlay, Placement, Repeated,
+    RepetitionKind, Size, WristMotion,
 };
 use glam::DVec3;
 use std::f64::consts::TAU;
@@ -91,6 +91,7 @@ pub fn lay_out(movement: &Movement, table: &MovementTable, turns: Turns) -> Vec<
     let mut legs = match movement {
         Movement::Sequence(parts) if !parts.is_empty() => sequence(parts, table, turns),
         Movement::Action(action) => of_action(action, table, turns),
+        Movement::Repeated(group) => of_group(group, table, turns),
         Movement::Backwards(inner) => backwards(lay_out(inner, table, turns)),
         // What goes on at the same time or is fused is one leg, repeated if its first member is.
         Movement::Together(parts) | Movement::Fused(parts) => {
@@ -212,6 +213,27 @@ fn of_action(action: &Action, table: &MovementTable, turns: Turns) -> Vec<Leg> {
     legs
 }
 
+/// A group performed more than once: from where it ended on, leg by leg; otherwise squeezed into one leg.
+fn of_group(group: &Repeated, table: &MovementTable, turns: Turns) -> Vec<Leg> {
+    match group.repetition.kind {
+        RepetitionKind::Continue => sequence(&performances(group), table, turns),
+        RepetitionKind::FromStart | RepetitionKind::ToAndFro => {
+            let hold = Action::new(Motion::Hold);
+            let action = Action { repetition: Some(group.repetition), alternating: group.alternating, ..hold };
+            repeated(simple_leg(&group.movement, table, turns), &action, table, turns)
+        }
+    }
+}
+
+/// The performances of a group that goes on from where it ended.
+fn performances(group: &Repeated) -> Vec<Movement> {
+    let one = match &group.movement {
+        Movement::Sequence(parts) => parts.clone(),
+        other => vec![other.clone()],
+    };
+    vec![one; usize::from(group.repetition.times)].concat()
+}
+
 /// One leg, performed as often as the action says.
 fn repeated(leg: Leg, action: &Action, table: &MovementTable, turns: Turns) -> Vec<Leg> {
     let Some(repetition) = action.repetition else { return vec![leg] };
@@ -310,6 +332,7 @@ fn simple_leg(movement: &Movement, table: &MovementTable, turns: Turns) -> Leg {
     match movement {
         Movement::Action(action) => leg_of(action, table, turns),
         Movement::Sequence(parts) => join(parts, Path::Chain, |all| all.iter().sum()),
+        Movement::Repeated(group) => join(&performances(group), Path::Chain, |all| all.iter().sum()),
         Movement::Backwards(inner) => {
             let leg = simple_leg(inner, table, turns);
             let end = if leg.end == LegEnd::Displaced { LegEnd::Displaced } else { LegEnd::NextKey };
@@ -353,7 +376,7 @@ fn duration_of(action: &Action, table: &MovementTable) -> f64 {
             Manner::Fast => t.fast,
             Manner::Slow => t.slow,
             Manner::Tense => t.tense,
-            Manner::Rest | Manner::Halt => 1.0,
+            Manner::Rest | Manner::Halt | Manner::Bouncing | Manner::TowardPinky | Manner::TowardThumb => 1.0,
         })
         .product();
     (plain * manner).max(t.least)
@@ -371,7 +394,7 @@ fn path_of(motion: &Motion, table: &MovementTable, behind: bool) -> Path {
             let bend = across(bulge.vector(), chord) * chord.length() * table.arc_depth.of(*depth);
             with_waves(Path::Arc { chord, bend }, chord, overlay, table)
         }
-        Motion::Circle { axis, extent, start, turns, ellipse, growth } => {
+        Motion::Circle { axis, extent, start, turns, ellipse, growth, overlay: _ } => {
             let radius = table.circle_radius.metres(*extent);
             let (top, side) = clock_face(*axis);
             let (top, side) = (top * radius, side * radius);
@@ -395,7 +418,7 @@ fn path_of(motion: &Motion, table: &MovementTable, behind: bool) -> Path {
 /// The clock face of a circle: its top, and its 3 as seen by one who looks along the axis.
 ///
 /// The top is the highest point; of a level circle, the point farthest out (HamNoSys's clock).
-fn clock_face(axis: Direction) -> (DVec3, DVec3) {
+fn clock_face(axis: Heading) -> (DVec3, DVec3) {
     let axis = axis.vector();
     let up = if axis.y.abs() > 0.9 { DVec3::Z } else { DVec3::Y };
     let top = (up - axis * up.dot(axis)).normalize();

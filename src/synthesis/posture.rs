@@ -9,7 +9,7 @@ use crate::diagnostics::Error;
 use crate::motion::easing::slerp;
 use crate::motion::pose::LocalPose;
 use crate::motion::rotation::{angle_between, to_vector};
-use crate::phonology::symmetry::{Resolved, points};
+use crate::phonology::symmetry::{Resolved, points, resolve};
 use crate::phonology::{
     Configuration, ContactKind, Hand, HandPart, HandPoint, Hands, Orientation, Place, Placement, Side, Sign,
 };
@@ -89,7 +89,10 @@ impl Planner<'_> {
         };
         if let Some(contact) = contact {
             let (own, other) = points(&contact, hand);
-            site.with = Some(self.signer.landmarks.hand_point(side, own)?);
+            site.with = Some(match own {
+                Some(point) => self.signer.landmarks.hand_point(side, point)?,
+                None => self.own_point(said.configuration.at(key), sign, side, true)?,
+            });
             let apart = match contact.kind {
                 ContactKind::Touch | ContactKind::Crossed | ContactKind::Interlocked => 0.0,
                 ContactKind::Close => HANDS_CLOSE_ARMS * self.signer.landmarks.arm_length(),
@@ -101,7 +104,13 @@ impl Planner<'_> {
                 site.anchor = Some(middle.moved(DVec3::X * side.sign() * apart / 2.0));
             } else if hand == Hand::Strong {
                 *on_other_hand = true;
-                let point = self.signer.landmarks.hand_point(side.other(), other)?;
+                let point = match other {
+                    Some(point) => self.signer.landmarks.hand_point(side.other(), point)?,
+                    None => {
+                        let weak = resolve(sign, Hand::Weak);
+                        self.own_point(weak.configuration.at(key), sign, side.other(), true)?
+                    }
+                };
                 site.anchor = Some(Anchor::over_contact(&point, apart));
             }
         }

@@ -3,7 +3,7 @@
 use super::anchor::Anchor;
 use super::plan::Planner;
 use crate::diagnostics::Error;
-use crate::phonology::{Distance, Hands, Lateral, Place, Placement, Side, Sign, Symmetry};
+use crate::phonology::{Distance, Hands, Lateral, Place, Placement, Side, Sign, Sited, Symmetry};
 use glam::DVec3;
 
 /// How far from the middle each of two hands is that nothing else sets apart, arm lengths: 13 cm on the avatar.
@@ -82,8 +82,9 @@ impl Planner<'_> {
             }
             Place::Point(point) => Anchor::Fixed(*point),
             Place::Between(a, b) => {
-                let half = |place: &Place| {
-                    let one = Placement { place: place.clone(), offset: None, ..placement.clone() };
+                let half = |sited: &Sited| {
+                    let lateral = sited.lateral.or(placement.lateral);
+                    let one = Placement { place: sited.place.clone(), lateral, offset: None, ..placement.clone() };
                     self.anchor(&one, sign, side, true, on_other_hand)
                 };
                 let mut half = half;

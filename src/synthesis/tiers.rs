@@ -6,8 +6,8 @@ use super::side_of;
 use super::timeline::Timeline;
 use crate::phonology::symmetry::{acts, resolve};
 use crate::phonology::{
-    Action, Channel, Configuration, Contact, ContactKind, Distance, Extent, Hand, HandshapeChange, Keys, Motion,
-    Movement, NonManual, NonManualValue, Orientation, Place, Placement, Side, Size,
+    Action, Channel, Configuration, Contact, ContactKind, Distance, Extent, Hand, HandPoint, HandshapeChange, Keys,
+    Motion, Movement, NonManual, NonManualValue, Opening, Orientation, Place, Placement, Side, Size,
 };
 use crate::score::plan::{Act, Plan};
 use crate::tier::Tier;
@@ -146,7 +146,7 @@ fn keyed<T>(tier: &mut Tier, keys: &Keys<T>, timeline: &Timeline, label: fn(&T) 
 fn configuration_label(c: &Configuration) -> String {
     let mut label = c.base.clone();
     if let Some(other) = &c.between {
-        label += &format!("–{other}");
+        label += &format!("–{}", other.second);
     }
     for change in &c.changes {
         label += match change {
@@ -156,6 +156,15 @@ fn configuration_label(c: &Configuration) -> String {
             HandshapeChange::Spread(false) => ", together",
             HandshapeChange::Cross(..) => ", crossed",
             HandshapeChange::ThumbBetween(..) => ", thumb between",
+            HandshapeChange::On(_) => ", other fingers",
+            HandshapeChange::Except(_) => ", some fingers left",
+            HandshapeChange::Opening(opening) => match opening {
+                Opening::Tight => ", tight",
+                Opening::Slack => ", slack",
+            },
+            HandshapeChange::Meet(..) => ", fingers touching",
+            HandshapeChange::ThumbAt(_) => ", thumb touching",
+            HandshapeChange::Joints(..) => ", joints bent",
         };
     }
     label
@@ -187,7 +196,7 @@ fn place_label(place: &Place) -> String {
         Place::OtherHand(point) => format!("other {point}"),
         Place::Space(_) => "space".into(),
         Place::Point(p) => format!("({:.2}, {:.2}, {:.2})", p.x, p.y, p.z),
-        Place::Between(a, b) => format!("{}–{}", place_label(a), place_label(b)),
+        Place::Between(a, b) => format!("{}–{}", place_label(&a.place), place_label(&b.place)),
         Place::Referent(name) => format!("referent {name}"),
         Place::Towards(at) => format!("pointing at {}", place_label(at)),
     }
@@ -205,6 +214,7 @@ fn movement_label(m: &Movement) -> String {
         Movement::Sequence(parts) => join(parts, ", then "),
         Movement::Together(parts) => join(parts, " while "),
         Movement::Fused(parts) => join(parts, " into "),
+        Movement::Repeated(group) => format!("({}) ×{}", movement_label(&group.movement), group.repetition.times),
         Movement::Backwards(inner) => format!("backwards {}", movement_label(inner)),
     }
 }
@@ -247,14 +257,18 @@ fn contact_label(c: &Contact) -> String {
         ContactKind::Interlocked => "interlocked with",
         ContactKind::Metres(_) => "apart from",
     };
-    format!("{} {kind} {}", c.strong, c.weak)
+    let point = |of: Option<HandPoint>| of.map_or_else(|| "hand".to_owned(), |point| point.to_string());
+    format!("{} {kind} {}", point(c.strong), point(c.weak))
 }
 
 fn non_manual_label(n: &NonManual) -> String {
+    let join = |parts: &[NonManual], by: &str| parts.iter().map(non_manual_label).collect::<Vec<_>>().join(by);
     match &n.value {
         NonManualValue::Named(name) => name.clone(),
         NonManualValue::Towards(heading) => format!("towards {heading}"),
         NonManualValue::At(placement) => format!("at {}", placement_label(placement)),
         NonManualValue::Mouthing(sounds) => format!("[{sounds}]"),
+        NonManualValue::Sequence(parts) => join(parts, ", then "),
+        NonManualValue::Together(parts) => join(parts, " while "),
     }
 }

@@ -96,7 +96,7 @@ fn changes_do_what_they_say() {
 #[test]
 fn between_is_halfway() {
     let inventory = HandshapeInventory::builtin();
-    let configuration = Configuration { between: Some("fist-s".to_owned()), ..Configuration::named("flat") };
+    let configuration = Configuration::halfway("flat", "fist-s");
     let half = inventory.angles(&configuration, None).expect("known handshapes");
     let [a, b] = ["flat", "fist-s"].map(|id| inventory.find(id, None).expect("a known handshape").angles());
     assert!((half.fingers[1].pip - (a.fingers[1].pip + b.fingers[1].pip) / 2.0).abs() < 1e-12);

@@ -91,7 +91,7 @@ pub fn configuration(words: &Words) -> impl Strategy<Value = Configuration> + us
     let names = select(words.handshapes.clone());
     (names.clone(), of(names), vec(change, 0..3)).prop_map(|(base, between, changes)| Configuration {
         base,
-        between,
+        between: between.map(|second| Box::new(Between { first: Vec::new(), second, changes: Vec::new() })),
         changes,
     })
 }
@@ -107,7 +107,7 @@ fn place(words: &Words) -> impl Strategy<Value = Place> + use<> {
     ];
     leaf.prop_recursive(3, 8, 2, |inner| {
         prop_oneof![
-            2 => (inner.clone(), inner.clone()).prop_map(|(a, b)| Place::Between(Box::new(a), Box::new(b))),
+            2 => (inner.clone(), inner.clone()).prop_map(|(a, b)| Place::Between(Box::new(a.into()), Box::new(b.into()))),
             1 => inner.prop_map(|at| Place::Towards(Box::new(at))),
         ]
     })
@@ -153,7 +153,7 @@ fn extent() -> impl Strategy<Value = Extent> {
 }
 
 fn overlay() -> impl Strategy<Value = Option<Overlay>> {
-    of((any::<bool>(), size()).prop_map(|(zigzag, size)| Overlay { zigzag, size }))
+    of((any::<bool>(), size()).prop_map(|(zigzag, size)| Overlay::new(zigzag, size)))
 }
 
 fn across(a: glam::DVec3, b: glam::DVec3) -> bool {
@@ -166,7 +166,7 @@ fn motion(interval: usize) -> impl Strategy<Value = Motion> {
         .prop_map(|(direction, extent, bulge, depth, overlay)| Motion::Arc {
             direction,
             extent,
-            bulge,
+            bulge: bulge.into(),
             depth,
             overlay,
         });
@@ -174,12 +174,13 @@ fn motion(interval: usize) -> impl Strategy<Value = Motion> {
     let circle = (direction(), extent(), 0u8..8, 0.1f64..9.0, ellipse, -9i8..=9)
         .prop_filter("an ellipse", |(axis, _, _, _, e, _)| e.is_none_or(|(_, d)| across(d.vector(), axis.vector())))
         .prop_map(|(axis, extent, start, turns, ellipse, growth)| Motion::Circle {
-            axis,
+            axis: axis.into(),
             extent,
             start: Clock::new(start).unwrap(),
             turns,
             ellipse,
             growth,
+            overlay: None,
         });
     prop_oneof![
         Just(Motion::Hold),
@@ -199,7 +200,12 @@ fn motion(interval: usize) -> impl Strategy<Value = Motion> {
 
 fn repetition() -> impl Strategy<Value = Repetition> {
     let kinds = vec![RepetitionKind::FromStart, RepetitionKind::Continue, RepetitionKind::ToAndFro];
-    (select(kinds), 2u8..=50, -9i8..=9).prop_map(|(kind, times, growth)| Repetition { kind, times, growth })
+    (select(kinds), 2u8..=50, -9i8..=9).prop_map(|(kind, times, growth)| Repetition {
+        kind,
+        times,
+        growth,
+        shift: None,
+    })
 }
 
 /// A movement of one interval; ways back go to keys up to `interval`.
@@ -217,7 +223,15 @@ fn movement(words: &Words, interval: usize) -> impl Strategy<Value = Movement> +
     let leaf = action.prop_map(|(motion, target, brushing, manner, repetition, duration, alternating)| {
         let duration = duration.map(Seconds);
         let target = target.filter(|_| !matches!(motion, Motion::Return { .. }));
-        Movement::Action(Box::new(Action { motion, target, brushing, manner, repetition, duration, alternating }))
+        Movement::Action(Box::new(Action {
+            target,
+            brushing,
+            manner,
+            repetition,
+            duration,
+            alternating,
+            ..Action::new(motion)
+        }))
     });
     leaf.prop_recursive(2, 6, 3, |inner| {
         let (parts, back) = (vec(inner.clone(), 2..4), inner);
@@ -282,7 +296,11 @@ fn symmetry() -> impl Strategy<Value = Symmetry> {
 
 fn contact() -> impl Strategy<Value = Contact> {
     let kind = prop_oneof![select(ContactKind::NAMED.to_vec()), (0.0f64..3.0).prop_map(ContactKind::Metres),];
-    (hand_point(), hand_point(), kind).prop_map(|(strong, weak, kind)| Contact { strong, weak, kind })
+    (hand_point(), hand_point(), kind).prop_map(|(strong, weak, kind)| Contact {
+        strong: Some(strong),
+        weak: Some(weak),
+        kind,
+    })
 }
 
 fn attested(words: &Words) -> impl Strategy<Value = Attested> + use<> {
@@ -304,8 +322,11 @@ fn nonmanual(words: &Words, channel: Channel) -> impl Strategy<Value = NonManual
         1 => placement(words).prop_map(NonManualValue::At),
         1 => "[a-zA-Z@:\"\\\\]{0,6}".prop_map(NonManualValue::Mouthing),
     ];
-    (value, select(vec![Amount::Slight, Amount::Plain, Amount::Strong]))
-        .prop_map(|(value, amount)| NonManual { value, amount })
+    (value, select(vec![Amount::Slight, Amount::Plain, Amount::Strong])).prop_map(|(value, amount)| NonManual {
+        value,
+        amount,
+        pace: 1.0,
+    })
 }
 
 fn nonmanuals(words: &Words, intervals: usize) -> impl Strategy<Value = Vec<(Channel, Keys<NonManual>)>> + use<> {
@@ -385,6 +406,8 @@ pub fn sign(words: Words) -> impl Strategy<Value = Sign> {
                 speed,
                 base,
                 relocated,
+                holds_over: false,
+                then: Vec::new(),
             },
         )
     })

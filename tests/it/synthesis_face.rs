@@ -108,9 +108,7 @@ fn a_hand_on_the_forehead_goes_with_the_head() {
 fn an_unknown_value_is_refused_with_its_tier() {
     let mut sign = sign("sign X\n movement hold\n brows raised\n");
     let value = chereme::phonology::NonManualValue::Named("purple".into());
-    let amount = chereme::phonology::Amount::Plain;
-    sign.nonmanual =
-        vec![(Channel::Brows, chereme::phonology::Keys::one(chereme::phonology::NonManual { value, amount }))];
+    sign.nonmanual = vec![(Channel::Brows, chereme::phonology::Keys::one(chereme::phonology::NonManual::plain(value)))];
     let world = world();
     let error = chereme::synthesis::synthesize(&sign, &world.grammar, &world.signer, &Default::default()).unwrap_err();
     assert!(error.to_string().contains("brows") && error.to_string().contains("purple"), "{error}");

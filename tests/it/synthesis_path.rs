@@ -11,12 +11,13 @@ use std::f64::consts::TAU;
 
 fn circle(axis: Direction, radius: f64, start: u8, turns: f64) -> Path {
     let motion = Motion::Circle {
-        axis,
+        axis: axis.into(),
         extent: Extent::Metres(radius),
         start: Clock::new(start).unwrap(),
         turns,
         ellipse: None,
         growth: 0,
+        overlay: None,
     };
     let movement = Movement::Action(Box::new(Action::new(motion)));
     lay_out(&movement, &MovementTable::embedded(), Turns::default()).remove(0).path

@@ -206,7 +206,7 @@ fn check_contacts(sign: &Sign) -> (usize, f64) {
         }
         let body = body_at(&performance, performance.report.keys[key]);
         let at = |side, point| landmarks.hand_point(side, point).unwrap().position(&body);
-        let miss = at(Side::Right, contact.strong).distance(at(Side::Left, contact.weak)) * 1e3;
+        let miss = at(Side::Right, contact.strong.unwrap()).distance(at(Side::Left, contact.weak.unwrap())) * 1e3;
         assert!(miss < 5.0, "{}: the hands meet {miss:.1} mm apart", sign.name);
         checked += 1;
         greatest = greatest.max(miss);

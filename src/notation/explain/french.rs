@@ -7,8 +7,8 @@ use super::french_noun::{digit, fingers, grows, heading, length, number, of, pla
 use crate::phonology::operator::Operator;
 use crate::phonology::recombination::{Base, Recombination};
 use crate::phonology::{
-    Amount, Bend, Channel, Configuration, Contact, ContactKind, HandshapeChange, Keys, LocationInventory, Manual,
-    NonManual, NonManualValue, Orientation, Place, Sign, ThumbPosition,
+    Amount, Bend, Channel, Configuration, Contact, ContactKind, HandPoint, HandshapeChange, Keys, LocationInventory,
+    Manual, NonManual, NonManualValue, Opening, Orientation, Place, Sign, ThumbPosition,
 };
 
 /// One manual tier by its number in the tables: configuration, placement, orientation, movement.
@@ -118,7 +118,7 @@ fn keys<T>(values: &Keys<T>, intervals: usize, say: impl Fn(&T) -> String) -> St
 fn configuration(v: &Configuration) -> String {
     let mut text = match &v.between {
         None => v.base.clone(),
-        Some(second) => format!("à mi-chemin entre {} et {second}", v.base),
+        Some(other) => format!("à mi-chemin entre {} et {}", v.base, other.second),
     };
     for change in &v.changes {
         text.push_str(", ");
@@ -127,6 +127,7 @@ fn configuration(v: &Configuration) -> String {
             HandshapeChange::Thumb(ThumbPosition::Out) => "le pouce écarté".to_owned(),
             HandshapeChange::Thumb(ThumbPosition::Across) => "le pouce en travers".to_owned(),
             HandshapeChange::Thumb(ThumbPosition::Opposed) => "le pouce opposé aux doigts".to_owned(),
+            HandshapeChange::Thumb(ThumbPosition::Enclosed) => "le pouce sous les doigts fermés".to_owned(),
             HandshapeChange::Bend(digits, bend) if digits.is_empty() => {
                 format!("les doigts choisis {}s", bend_name(bend))
             }
@@ -138,6 +139,13 @@ fn configuration(v: &Configuration) -> String {
             HandshapeChange::Spread(false) => "les doigts joints".to_owned(),
             HandshapeChange::Cross(over, under) => format!("{} devant {}", digit(over), digit(under)),
             HandshapeChange::ThumbBetween(a, b) => format!("le pouce entre {} et {}", digit(a), digit(b)),
+            HandshapeChange::On(digits) => format!("avec {}", fingers(digits)),
+            HandshapeChange::Except(digits) => format!("sauf {}", fingers(digits)),
+            HandshapeChange::Opening(Opening::Tight) => "presque fermée".to_owned(),
+            HandshapeChange::Opening(Opening::Slack) => "grande ouverte".to_owned(),
+            HandshapeChange::Meet(..) | HandshapeChange::ThumbAt(_) | HandshapeChange::Joints(..) => {
+                "les doigts comme décrits".to_owned()
+            }
         });
     }
     text
@@ -165,7 +173,8 @@ fn orientation(v: &Orientation) -> String {
 }
 
 fn contact(v: &Contact) -> String {
-    let (strong, weak) = (point(v.strong), point(v.weak));
+    let named = |of: Option<HandPoint>| of.map_or_else(|| "une partie".to_owned(), point);
+    let (strong, weak) = (named(v.strong), named(v.weak));
     let meets = match v.kind {
         ContactKind::Touch => format!("touche {weak}"),
         ContactKind::Close => format!("est tout près {}", of(&weak)),
@@ -196,10 +205,17 @@ fn nonmanual(v: &NonManual, names: &LocationInventory) -> String {
         NonManualValue::Towards(h) => heading(*h),
         NonManualValue::At(at) => format!("vers {}", place(&at.place, names)),
         NonManualValue::Mouthing(sounds) => format!("articule « {sounds} » sans voix"),
+        NonManualValue::Sequence(parts) => {
+            parts.iter().map(|p| nonmanual(p, names)).collect::<Vec<_>>().join(", puis ")
+        }
+        NonManualValue::Together(parts) => {
+            parts.iter().map(|p| nonmanual(p, names)).collect::<Vec<_>>().join(" et en même temps ")
+        }
     };
     match v.amount {
         Amount::Slight => format!("{text}, légèrement"),
         Amount::Plain => text,
         Amount::Strong => format!("{text}, fortement"),
+        Amount::Percent(percent) => format!("{text}, à {percent} %"),
     }
 }

@@ -13,6 +13,7 @@ pub(super) fn movement(v: &Movement, names: &LocationInventory) -> String {
         Movement::Sequence(all) => parts(all, ", puis "),
         Movement::Together(all) => parts(all, " et en même temps "),
         Movement::Fused(all) => format!("fondus en un seul geste : {}", parts(all, " et ")),
+        Movement::Repeated(r) => format!("{}, {}", part(&r.movement, names), repeated(r.repetition)),
         Movement::Backwards(inner) => format!("à rebours : {}", part(inner, names)),
     }
 }
@@ -20,7 +21,11 @@ pub(super) fn movement(v: &Movement, names: &LocationInventory) -> String {
 fn part(v: &Movement, names: &LocationInventory) -> String {
     match v {
         Movement::Action(_) => movement(v, names),
-        Movement::Sequence(_) | Movement::Together(_) | Movement::Fused(_) | Movement::Backwards(_) => {
+        Movement::Sequence(_)
+        | Movement::Together(_)
+        | Movement::Fused(_)
+        | Movement::Repeated(_)
+        | Movement::Backwards(_) => {
             format!("({})", movement(v, names))
         }
     }
@@ -45,6 +50,9 @@ fn said(v: &Action, names: &LocationInventory) -> String {
             Manner::Tense => "avec tension",
             Manner::Rest => "après une pause",
             Manner::Halt => "avec un arrêt net",
+            Manner::Bouncing => "avec un rebond",
+            Manner::TowardPinky => "un doigt après l'autre jusqu'à l'auriculaire",
+            Manner::TowardThumb => "un doigt après l'autre jusqu'au pouce",
         }
         .into());
     }
@@ -85,14 +93,14 @@ fn motion(v: &Motion) -> String {
                 Size::Large => "très bombé",
             };
             let arc = sized("arc", *extent);
-            format!("{arc} {}, {bend} {}{}", heading(*direction), towards(*bulge), waves(*overlay))
+            format!("{arc} {}, {bend} {}{}", heading(*direction), heading(*bulge), waves(*overlay))
         }
-        Motion::Circle { axis, extent, start, turns, ellipse, growth } => {
+        Motion::Circle { axis, extent, start, turns, ellipse, growth, overlay } => {
             let mut text = match extent {
                 Extent::Metres(metres) => format!("cercle de {} de rayon", length(*metres)),
                 Extent::Size(_) => sized("cercle", *extent),
             };
-            text.push_str(&format!(" dans le sens horaire pour qui regarde {}", towards(*axis)));
+            text.push_str(&format!(" dans le sens horaire pour qui regarde {}", heading(*axis)));
             if start.eighths() != 0 {
                 text.push_str(&format!(", depuis {}", hour(start.eighths())));
             }
@@ -103,7 +111,7 @@ fn motion(v: &Motion) -> String {
             if let Some((ratio, along)) = ellipse {
                 text.push_str(&format!(", aplati à {}, son grand axe {}", number(*ratio), towards(*along)));
             }
-            text + grows(*growth)
+            text + grows(*growth) + &waves(*overlay)
         }
         Motion::Wrist(way, size) => {
             let way = match way {
@@ -135,7 +143,7 @@ fn sized(noun: &str, extent: Extent) -> String {
 }
 
 fn waves(overlay: Option<Overlay>) -> String {
-    let Some(Overlay { zigzag, size }) = overlay else { return String::new() };
+    let Some(Overlay { zigzag, size, .. }) = overlay else { return String::new() };
     let way = if zigzag { "en zigzag" } else { "en ondulant" };
     match size {
         Size::Small => format!(", {way} un peu"),

@@ -154,7 +154,7 @@ pub(super) fn place(v: &Place, names: &LocationInventory) -> String {
         Place::Point(p) => {
             format!("le point à {} m à gauche, {} m de haut, {} m devant", number(p.x), number(p.y), number(p.z))
         }
-        Place::Between(a, b) => format!("le milieu entre {} et {}", place(a, names), place(b, names)),
+        Place::Between(a, b) => format!("le milieu entre {} et {}", place(&a.place, names), place(&b.place, names)),
         Place::Referent(name) => format!("le lieu de « {name} »"),
         Place::Towards(at) => format!("l'endroit d'où la main pointe vers {}", place(at, names)),
     }

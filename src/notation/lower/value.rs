@@ -33,7 +33,9 @@ impl Names<'_> {
         }
         (faults.len() == before).then(|| Configuration {
             base: written.base.value.clone(),
-            between: written.between.as_ref().map(|b| b.value.clone()),
+            between: written.between.as_ref().map(|b| {
+                Box::new(phonology::Between { first: Vec::new(), second: b.value.clone(), changes: Vec::new() })
+            }),
             changes: written.changes.clone(),
         })
     }
@@ -83,7 +85,7 @@ impl Names<'_> {
             syntax::Place::Point(at) => Place::Point(DVec3::from_array(*at)),
             syntax::Place::Between(a, b) => {
                 let (a, b) = (self.place(a, faults), self.place(b, faults));
-                Place::Between(Box::new(a?), Box::new(b?))
+                Place::Between(Box::new(a?.into()), Box::new(b?.into()))
             }
             syntax::Place::Referent(name) => Place::Referent(name.clone()),
             syntax::Place::Towards(at) => Place::Towards(Box::new(self.place(at, faults)?)),
@@ -159,7 +161,7 @@ impl Names<'_> {
             NonManualWhat::At(place) => NonManualValue::At(self.placement(place, faults)?),
             NonManualWhat::Mouthing(sounds) => NonManualValue::Mouthing(sounds.clone()),
         };
-        Some(NonManual { value, amount: written.amount })
+        Some(NonManual { value, amount: written.amount, pace: 1.0 })
     }
 
     fn nonmanual_name(&self, channel: Channel, name: &Spanned<String>, faults: &mut Vec<Diagnostic>) -> Option<()> {
@@ -274,6 +276,9 @@ impl Names<'_> {
             repetition: written.repetition,
             duration: written.duration.map(|d| Seconds(d.seconds())),
             alternating: written.alternating,
+            pace: 1.0,
+            becoming: None,
+            names: None,
         })
     }
 }
@@ -333,12 +338,12 @@ fn motion(written: &syntax::Motion) -> Motion {
         syntax::Motion::Arc { direction, extent: e, bulge, depth, overlay } => Motion::Arc {
             direction,
             extent: extent(e),
-            bulge: bulge.unwrap_or_else(|| default_bulge(direction)),
+            bulge: bulge.unwrap_or_else(|| default_bulge(direction)).into(),
             depth,
             overlay,
         },
         syntax::Motion::Circle { axis, extent: e, start, turns, ellipse, growth } => {
-            Motion::Circle { axis, extent: extent(e), start, turns, ellipse, growth }
+            Motion::Circle { axis: axis.into(), extent: extent(e), start, turns, ellipse, growth, overlay: None }
         }
         syntax::Motion::Wrist(wrist, size) => Motion::Wrist(wrist, size),
         syntax::Motion::Wiggle(digits) => Motion::Wiggle(digits),
@@ -377,7 +382,7 @@ pub(super) fn contact(written: syntax::Contact) -> Contact {
         ContactKind::Interlocks => phonology::ContactKind::Interlocked,
         ContactKind::LengthFrom(length) => phonology::ContactKind::Metres(length.metres()),
     };
-    Contact { strong: written.strong, weak: written.weak, kind }
+    Contact { strong: Some(written.strong), weak: Some(written.weak), kind }
 }
 
 /// Faults for palms along the fingers; what is not stated holds from the value before.

@@ -159,7 +159,7 @@ fn overlay(input: Tokens) -> (Tokens, Option<Overlay>) {
         return (input, None);
     }
     let (rest, size) = size(from.skip());
-    (rest, Some(Overlay { zigzag, size }))
+    (rest, Some(Overlay::new(zigzag, size)))
 }
 
 /// `HEADING [EXTENT] [zigzag|wavy [SIZE]]`

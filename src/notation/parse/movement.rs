@@ -188,7 +188,7 @@ fn repetition<'a>(input: Tokens<'a>) -> Parsed<'a, Repetition> {
     };
     let (after, times) = times(rest, if kind == RepetitionKind::ToAndFro { "to and fro" } else { input.word() })?;
     let (after, growth) = sign_of_growth(after)?;
-    Ok((after, Repetition { kind, times, growth }))
+    Ok((after, Repetition { kind, times, growth, shift: None }))
 }
 
 /// How often in all: `2`, `twice`, `several`.

@@ -62,6 +62,15 @@ pub(super) fn configuration(v: &Configuration) -> String {
             HandshapeChange::Spread(false) => "together".to_owned(),
             HandshapeChange::Cross(over, under) => format!("{} over {}", over.name(), under.name()),
             HandshapeChange::ThumbBetween(a, b) => format!("thumb between {} {}", a.name(), b.name()),
+            HandshapeChange::On(fingers) => format!("on {}", digits(fingers)),
+            HandshapeChange::Except(fingers) => format!("except {}", digits(fingers)),
+            HandshapeChange::Opening(opening) => opening.name().to_owned(),
+            HandshapeChange::Meet(digit, part, other) => {
+                format!("{} at {} {}", digit.name(), other.name(), part.name())
+            }
+            HandshapeChange::ThumbAt(part) => format!("thumb at {}", part.name()),
+            HandshapeChange::Joints(fingers, [a, b, c]) if fingers.is_empty() => format!("joints {a} {b} {c}"),
+            HandshapeChange::Joints(fingers, [a, b, c]) => format!("{} joints {a} {b} {c}", digits(fingers)),
         });
     }
     text
@@ -206,6 +215,7 @@ pub(crate) fn nonmanual(v: &NonManual) -> String {
         Amount::Slight => text.push_str(&format!("{comma} slight")),
         Amount::Plain => {}
         Amount::Strong => text.push_str(&format!("{comma} strong")),
+        Amount::Percent(percent) => text.push_str(&format!("{comma} {percent}%")),
     }
     text
 }

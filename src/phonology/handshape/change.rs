@@ -34,7 +34,7 @@ impl HandshapeInventory {
         let mut shaping =
             Shaping { inventory: self, hand: base.angles(), spread: base.spread, selected: base.selected };
         if let Some(second) = &configuration.between {
-            let second = self.find(second, language)?;
+            let second = self.find(&second.second, language)?;
             shaping.hand = shaping.hand.lerp(&second.angles(), 0.5);
             shaping.spread = std::array::from_fn(|i| (base.spread[i] + second.spread[i]) / 2.0);
         }
@@ -58,6 +58,13 @@ impl Shaping<'_> {
             HandshapeChange::Bend(digits, bend) => self.bend(digits, bend),
             HandshapeChange::Spread(spread) => self.spread(spread),
             HandshapeChange::Cross(front, behind) => self.cross(front, behind),
+            // Not made yet.
+            HandshapeChange::On(_)
+            | HandshapeChange::Except(_)
+            | HandshapeChange::Opening(_)
+            | HandshapeChange::Meet(..)
+            | HandshapeChange::ThumbAt(_)
+            | HandshapeChange::Joints(..) => {}
         }
     }
 

@@ -109,6 +109,10 @@ fn last_target(movement: &Movement) -> Option<Placement> {
             action.target.clone().filter(|_| !returns)
         }
         Movement::Sequence(parts) => parts.last().and_then(last_target),
+        Movement::Repeated(r) => match r.repetition.kind {
+            RepetitionKind::FromStart | RepetitionKind::Continue => last_target(&r.movement),
+            RepetitionKind::ToAndFro => None,
+        },
         Movement::Together(_) | Movement::Fused(_) | Movement::Backwards(_) => None,
     }
 }
@@ -151,7 +155,7 @@ fn rewritten(movement: &Movement) -> Option<Movement> {
         Movement::Sequence(parts) => backwards(all(parts)).map(Movement::Sequence),
         Movement::Together(parts) => all(parts).map(Movement::Together),
         Movement::Fused(parts) => backwards(all(parts)).map(Movement::Fused),
-        Movement::Backwards(_) => None,
+        Movement::Repeated(_) | Movement::Backwards(_) => None,
     }
 }
 
@@ -179,7 +183,10 @@ fn action_backwards(action: &Action) -> Option<Action> {
         // A rest before it becomes a stop after it.
         Manner::Rest => Manner::Halt,
         Manner::Halt => Manner::Rest,
-        Manner::Fast | Manner::Slow | Manner::Tense => *manner,
+        // The fingers that changed last change first.
+        Manner::TowardPinky => Manner::TowardThumb,
+        Manner::TowardThumb => Manner::TowardPinky,
+        Manner::Fast | Manner::Slow | Manner::Tense | Manner::Bouncing => *manner,
     });
     let to_and_fro = action.repetition.is_some_and(|r| r.kind == RepetitionKind::ToAndFro);
     // There and back again is its own reverse.
@@ -188,15 +195,14 @@ fn action_backwards(action: &Action) -> Option<Action> {
 }
 
 fn motion_backwards(motion: &Motion) -> Option<Motion> {
-    let opposite = |heading: Heading| heading.map(|d| d.opposite());
     Some(match motion {
         Motion::Hold | Motion::Change | Motion::Wiggle(_) => motion.clone(),
         Motion::Wrist(wrist, size) => Motion::Wrist(wrist.reversed(), *size),
         Motion::Straight { direction, extent, overlay: None } => {
-            Motion::Straight { direction: opposite(*direction), extent: *extent, overlay: None }
+            Motion::Straight { direction: direction.opposite(), extent: *extent, overlay: None }
         }
         Motion::Arc { direction, extent, bulge, depth, overlay: None } => Motion::Arc {
-            direction: opposite(*direction),
+            direction: direction.opposite(),
             extent: *extent,
             bulge: *bulge,
             depth: *depth,
@@ -205,7 +211,8 @@ fn motion_backwards(motion: &Motion) -> Option<Motion> {
         // Waves begin to one side, and end there only backwards.
         Motion::Straight { .. } | Motion::Arc { .. } | Motion::Return { .. } => return None,
         Motion::Circle { growth, .. } if *growth != 0 => return None,
-        Motion::Circle { axis, extent, start, turns, ellipse, growth } => {
+        Motion::Circle { overlay: Some(_), .. } => return None,
+        Motion::Circle { axis, extent, start, turns, ellipse, growth, overlay: None } => {
             let eighths = turns * 8.0;
             if eighths.fract() != 0.0 || eighths > 1e6 {
                 return None;
@@ -219,6 +226,7 @@ fn motion_backwards(motion: &Motion) -> Option<Motion> {
                 turns: *turns,
                 ellipse: *ellipse,
                 growth: *growth,
+                overlay: None,
             }
         }
     })

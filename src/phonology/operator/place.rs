@@ -59,6 +59,7 @@ fn targets<'m>(movement: &'m Movement, all: &mut Vec<&'m Placement>) {
         Movement::Sequence(parts) | Movement::Together(parts) | Movement::Fused(parts) => {
             parts.iter().for_each(|m| targets(m, all));
         }
+        Movement::Repeated(r) => targets(&r.movement, all),
         Movement::Backwards(inner) => targets(inner, all),
     }
 }
@@ -69,7 +70,7 @@ fn body_place(place: &Place, locations: &LocationInventory) -> Option<String> {
             let neutral = locations.get(name).is_some_and(|row| row.id == "neutral");
             (!neutral).then(|| name.clone())
         }
-        Place::Between(a, b) => body_place(a, locations).or_else(|| body_place(b, locations)),
+        Place::Between(a, b) => body_place(&a.place, locations).or_else(|| body_place(&b.place, locations)),
         Place::OtherHand(_) | Place::Space(_) | Place::Point(_) | Place::Referent(_) | Place::Towards(_) => None,
     }
 }

@@ -68,7 +68,7 @@ pub fn mirrored(sign: &Sign, tables: &Tables) -> Result<Applied, Error> {
 fn on_the_other_hand(place: &Place) -> bool {
     match place {
         Place::OtherHand(_) => true,
-        Place::Between(a, b) => on_the_other_hand(a) || on_the_other_hand(b),
+        Place::Between(a, b) => on_the_other_hand(&a.place) || on_the_other_hand(&b.place),
         Place::Towards(at) => on_the_other_hand(at),
         Place::Body(_) | Place::Space(_) | Place::Point(_) | Place::Referent(_) => false,
     }

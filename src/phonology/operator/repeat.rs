@@ -7,7 +7,9 @@ use super::invert::filled;
 use super::{Tables, keys_of, manual_mut, scale};
 use crate::diagnostics::Error;
 use crate::phonology::movement_table::MovementTable;
-use crate::phonology::{Action, Hand, Keys, Manual, Motion, Movement, Orientation, Placement, RepetitionKind, Sign};
+use crate::phonology::{
+    Action, Hand, Keys, Manual, Motion, Movement, Orientation, Placement, Repeated, Repetition, RepetitionKind, Sign,
+};
 use crate::time::Seconds;
 use glam::DVec3;
 
@@ -156,6 +158,10 @@ fn returns_later(movement: &Movement, before: usize, after: usize, backwards: bo
         Movement::Sequence(parts) => Movement::Sequence(all(parts)),
         Movement::Together(parts) => Movement::Together(all(parts)),
         Movement::Fused(parts) => Movement::Fused(all(parts)),
+        Movement::Repeated(r) => Movement::Repeated(Box::new(Repeated {
+            movement: returns_later(&r.movement, before, after, backwards),
+            ..(**r).clone()
+        })),
         Movement::Backwards(inner) => Movement::Backwards(Box::new(returns_later(inner, before, after, !backwards))),
     }
 }
@@ -197,21 +203,29 @@ fn displacement(movement: &Movement, table: &MovementTable) -> Option<DVec3> {
                 return None;
             }
             let one = way(&action.motion, table)?;
-            match action.repetition {
-                None => Some(one),
-                Some(r) if r.growth != 0 => (one.length() < CLOSED_M).then_some(DVec3::ZERO),
-                Some(r) => Some(match r.kind {
-                    RepetitionKind::FromStart => one,
-                    RepetitionKind::Continue => one * f64::from(r.times),
-                    RepetitionKind::ToAndFro => DVec3::ZERO,
-                }),
-            }
+            action.repetition.map_or(Some(one), |r| again_and_again(one, r))
         }
         Movement::Sequence(parts) | Movement::Together(parts) | Movement::Fused(parts) => {
             parts.iter().map(|m| displacement(m, table)).sum()
         }
+        Movement::Repeated(r) => displacement(&r.movement, table).and_then(|one| again_and_again(one, r.repetition)),
         Movement::Backwards(inner) => displacement(inner, table).map(|way| -way),
     }
+}
+
+/// How far all performances of a way lead.
+fn again_and_again(one: DVec3, r: Repetition) -> Option<DVec3> {
+    if r.shift.is_some() {
+        return None;
+    }
+    if r.growth != 0 {
+        return (one.length() < CLOSED_M).then_some(DVec3::ZERO);
+    }
+    Some(match r.kind {
+        RepetitionKind::FromStart => one,
+        RepetitionKind::Continue => one * f64::from(r.times),
+        RepetitionKind::ToAndFro => DVec3::ZERO,
+    })
 }
 
 fn way(motion: &Motion, table: &MovementTable) -> Option<DVec3> {

@@ -56,8 +56,8 @@ fn motion(of: &Motion, factor: f64, table: &MovementTable) -> Motion {
         Motion::Arc { direction, extent, bulge, depth, overlay } => {
             Motion::Arc { direction, extent: longer(extent, table.straight), bulge, depth, overlay }
         }
-        Motion::Circle { axis, extent, start, turns, ellipse, growth } => {
-            Motion::Circle { axis, extent: longer(extent, table.circle_radius), start, turns, ellipse, growth }
+        Motion::Circle { axis, extent, start, turns, ellipse, growth, overlay } => {
+            Motion::Circle { axis, extent: longer(extent, table.circle_radius), start, turns, ellipse, growth, overlay }
         }
         Motion::Wrist(wrist, size) => Motion::Wrist(wrist, stepped(size, factor)),
         other @ (Motion::Hold | Motion::Change | Motion::Return { .. } | Motion::Wiggle(_)) => other,
