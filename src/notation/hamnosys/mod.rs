@@ -3,3 +3,10 @@
 //! One tree ([`syntax`]) for all of them; `lower` makes a [`Sign`](crate::phonology::Sign) of it, `raise` goes back.
 
 pub mod syntax;
+mod dictionary;
+pub mod lower;
+pub mod raise;
+
+pub use dictionary::Dictionary;
+pub use lower::lower;
+pub use raise::{Raised, raise};
