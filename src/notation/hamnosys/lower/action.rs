@@ -29,11 +29,12 @@ pub(super) enum Depth {
 impl Phases<'_> {
     /// The movement of one hand in an action; `None` where the hand does nothing of it.
     pub(super) fn movement(&mut self, action: &Action, hand: Hand, depth: Depth) -> Option<Movement> {
-        if hand == Hand::Weak
-            && !self.alone
-            && !splits_action(action)
-            && let Some(mirror) = self.reflection()
-        {
+        let shared = hand == Hand::Weak && !self.alone && !splits_action(action);
+        if shared && self.is_beside() {
+            // Beside a strong hand that acts alone, the weak one does what is split.
+            return None;
+        }
+        if shared && let Some(mirror) = self.reflection() {
             // A part that both hands share: the weak one does it in the mirror.
             let movement = self.movement(action, Hand::Strong, depth).map(|m| mirror.movement(&m));
             if depth == Depth::Key {

@@ -154,6 +154,11 @@ impl Phases<'_> {
         matches!(self.hands, phonology::Hands::Both(_))
     }
 
+    /// Whether the weak hand acts beside the strong one without following it.
+    pub(super) fn is_beside(&self) -> bool {
+        self.hands == phonology::Hands::Both(None)
+    }
+
     fn known(&mut self, hand: Hand) -> &mut Known {
         match hand {
             Hand::Strong => &mut self.strong,
@@ -177,7 +182,7 @@ impl Phases<'_> {
         posture: &Posture,
         hand: Hand,
     ) -> (Option<Configuration>, Option<Orientation>) {
-        let reflection = self.reflection().filter(|_| hand == Hand::Weak);
+        let reflection = self.reflection().filter(|_| hand == Hand::Weak && !self.alone);
         let shape = share(posture.shape.as_ref(), hand).cloned();
         let dictionary = self.dictionary;
         let configuration = shape.as_ref().map(|s| configuration(s, dictionary));
