@@ -181,7 +181,7 @@ pub enum Motion {
     Circle {
         /// The axis.
         axis: Heading,
-        /// The radius: 3.5, 8.5 or 15 cm, or metres.
+        /// The radius: 3.2, 8 or 14 cm, or metres.
         extent: Extent,
         /// Where it starts (its top where not said).
         start: Clock,
