@@ -2,8 +2,9 @@
 //!
 //! Made once from the inventories of `grammar/`; reading and writing signs only looks things up.
 
-use super::syntax::{BentClass, Shape, ShapeClass};
+use super::syntax::{BentClass, Phase, Shape, ShapeClass, Split};
 use super::{lex, parse};
+use crate::diagnostics::Span;
 use crate::phonology::expression::Expressions;
 use crate::phonology::handshape::HandshapeInventory;
 use crate::phonology::{Channel, LocationInventory, LocationKind};
@@ -132,5 +133,12 @@ impl Dictionary {
 /// The shape that a list of tags says, where it says one and nothing else.
 fn shape_of_tags(tags: &str) -> Option<Shape> {
     let (tokens, faults) = lex::lex(tags);
-    if tokens.is_empty() || !faults.is_empty() { None } else { parse::shape(&tokens) }
+    if tokens.is_empty() || !faults.is_empty() {
+        return None;
+    }
+    let end = Span::new(tags.len(), tags.len());
+    let [phase] = <[Phase; 1]>::try_from(parse::phases(&tokens, end).0?).ok()?;
+    let Some(Split::Both(shape)) = phase.posture.shape else { return None };
+    let alone = phase.posture.fingers.is_none() && phase.posture.palm.is_none() && phase.location.is_none();
+    (alone && phase.actions.is_empty()).then_some(shape)
 }
