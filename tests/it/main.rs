@@ -16,6 +16,7 @@ mod format_glb_write;
 mod format_html;
 mod format_svg;
 mod golden;
+mod hamnosys_parse;
 mod layers;
 mod lexicon_alphabets;
 mod motion_arm;
