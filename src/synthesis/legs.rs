@@ -322,7 +322,19 @@ pub(super) fn squeezed(legs: &[Leg]) -> Path {
 fn backwards(legs: Vec<Leg>) -> Vec<Leg> {
     let starts: Vec<LegEnd> = (0..legs.len()).map(|i| start_of(&legs, i)).collect();
     let reversed = legs.into_iter().zip(starts).rev();
-    let mut legs: Vec<Leg> = reversed.map(|(leg, start)| Leg { end: start, ..leg.reversed_in_time() }).collect();
+    let mut legs: Vec<Leg> = reversed
+        .map(|(leg, start)| {
+            let was = leg.posture.clone();
+            let leg = Leg { end: start, ..leg.reversed_in_time() };
+            match (&was.from, &was.to) {
+                // Played backwards between two keys, it still leads from the one before to the one after.
+                (Stand::Before, Stand::After(None)) => {
+                    Leg { posture: Turn::of_keys(1.0 - was.share.1, 1.0 - was.share.0), ..leg }
+                }
+                (Stand::Before | Stand::Within(_) | Stand::After(_), _) => leg,
+            }
+        })
+        .collect();
     // The last stop of the way there is not where the way back begins.
     if let Some(first) = legs.first_mut().filter(|leg| matches!(leg.posture.from, Stand::Within(_))) {
         first.posture = Turn::none(first.posture.end());

@@ -80,10 +80,11 @@ fn ends(performance: &Performance) -> (f64, f64) {
     (performance.report.keys[0].0, performance.report.keys.last().unwrap().0)
 }
 
-/// How far the wrist is led from the first key to the last.
+/// How far the palm is led from the first key to the last.
 fn led(performance: &Performance, side: Side) -> DVec3 {
     let (first, last) = ends(performance);
-    wrist(performance, last, side) - wrist(performance, first, side)
+    let palm = |time| point(performance, time, side, limb(HandPart::Palm));
+    palm(last) - palm(first)
 }
 
 fn smooth(performance: &Performance) {
@@ -135,7 +136,7 @@ fn orientation_becomes_another_one_too() {
         Orientation { fingers: None, palm: Some(Heading::Toward("up".parse().unwrap())), along_path: false };
     let becoming = Becoming { orientation: Some(orientation), ..Becoming::default() };
     let turn = Action { becoming: Some(Box::new(becoming)), ..one(Motion::Change) };
-    let performance = perform_with(&with(STILL, Movement::Sequence(vec![act(turn), go("left", 0.1)])), &fine());
+    let performance = perform_with(&with(STILL, Movement::Sequence(vec![act(turn), go("up", 0.1)])), &fine());
     let arm = world().signer.arm(Side::Right);
     let (_, last) = ends(&performance);
     let (fingers, palm) = arm.fingers_and_palm(body_at(&performance, Seconds(last)).rotation(arm.hand));
@@ -224,7 +225,7 @@ fn growing_and_shifted_repetitions() {
 #[test]
 fn alternating_groups_take_turns() {
     let group = Repeated {
-        movement: Movement::Sequence(vec![go("up", 0.06), go("down", 0.02)]),
+        movement: Movement::Sequence(vec![go("up", 0.04), go("up", 0.03)]),
         repetition: Repetition::new(RepetitionKind::FromStart, 2),
         alternating: true,
     };
