@@ -19,6 +19,8 @@ use glam::DVec3;
 
 /// Points that are `close` to each other on two hands, arm lengths apart.
 const HANDS_CLOSE_ARMS: f64 = 0.06;
+/// Places nearer to each other are the same, metres.
+const SAME_PLACE_M: f64 = 1e-6;
 /// How far from the knuckle the fingers of interlocked hands cross, as a part of the first phalanx.
 const WEB: f64 = 0.45;
 
@@ -29,16 +31,22 @@ impl Planner<'_> {
         site.with = Some(self.meeting_point(part, contact, key)?);
         site.named = true;
         // Where nothing says a place before, the way begins so that it ends where the hands meet.
-        let unsaid = part.said.placement.iter().all(|(stated, _)| stated > key);
-        if site.anchor.is_none() && unsaid {
-            site.anchor = match part.sign.hands {
-                Hands::Both(Some(_)) => {
-                    let middle = self.default_place(Asker::of(part, Meeting::Meets), known)?;
-                    Some(middle.moved(self.aside(contact, side_of(part.hand))))
+        let unsaid = site.anchor.is_none() && part.said.placement.iter().all(|(stated, _)| stated > key);
+        match part.sign.hands {
+            Hands::Both(Some(_)) => {
+                let middle = match site.anchor.take() {
+                    Some(anchor) => Some(anchor),
+                    None if unsaid => Some(self.default_place(Asker::of(part, Meeting::Meets), known)?),
+                    None => None,
+                };
+                site.anchor = middle.map(|middle| middle.moved(self.aside(contact, side_of(part.hand))));
+            }
+            Hands::Both(None) if part.hand == Hand::Weak => {}
+            Hands::Both(None) | Hands::Strong | Hands::Weak => {
+                if unsaid {
+                    site.anchor = Some(self.over_other(part, contact, key)?);
                 }
-                Hands::Both(None) if part.hand == Hand::Weak => None,
-                Hands::Both(None) | Hands::Strong | Hands::Weak => Some(self.over_other(part, contact, key)?),
-            };
+            }
         }
         Ok(site)
     }
@@ -54,18 +62,18 @@ impl Planner<'_> {
             }
             [strong, weak] if matches!(strong.part.sign.hands, Hands::Both(Some(_))) => {
                 let there = |walk: &Walk| site(walk).unwrap_or_else(|| walk.at.clone());
-                let said = strong.part.said.placement.stated(key).is_some() || site(strong).is_none();
-                if !said {
-                    // Both were brought to the middle already.
-                    let (a, b) = (there(strong), there(weak));
+                let (a, b) = (there(strong), there(weak));
+                let (to_a, to_b) = (self.aside(&contact, strong.side), self.aside(&contact, weak.side));
+                let apart = (a.position(self.neutral) - to_a).distance(b.position(self.neutral) - to_b);
+                if apart < SAME_PLACE_M {
+                    // Both come to the same middle as it is.
                     self.come(strong, key, a);
                     self.come(weak, key, b);
-                    return Ok(());
+                } else {
+                    let middle = Anchor::Middle(vec![a, b]);
+                    self.come(strong, key, middle.clone().moved(to_a));
+                    self.come(weak, key, middle.moved(to_b));
                 }
-                let (a, b) = (there(strong), there(weak));
-                let middle = if a == b { a } else { Anchor::Middle(vec![a, b]) };
-                self.come(strong, key, middle.clone().moved(self.aside(&contact, strong.side)));
-                self.come(weak, key, middle.moved(self.aside(&contact, weak.side)));
             }
             [strong, weak] => {
                 let on_strong = self.signer.arm(strong.side).clavicle;

@@ -211,6 +211,7 @@ impl Planner<'_> {
             let part = Part { sign, hand: *hand, said, instead };
             walks.push(self.walk(part, known).map_err(|e| named(e, *hand))?);
         }
+        self.begin_apart(&mut walks);
         self.meet(&mut walks, 0, known)?;
         for interval in 0..sign.intervals {
             self.step(&mut walks, interval, known)?;

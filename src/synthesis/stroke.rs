@@ -212,24 +212,32 @@ fn let_go(plan: &HandPlan, instants: &[Instant], models: &[ModelPose]) -> Option
         return None;
     }
     let mut own = plan.clone();
-    let mut before: Option<(Anchor, Anchor)> = None;
-    for (n, leg) in own.legs.iter_mut().enumerate() {
-        let was = leg.to.clone();
-        if let Some((_, now)) = before.take().filter(|(was, _)| *was == leg.from) {
-            leg.from = now;
-            if leg.leg.end == LegEnd::Displaced {
-                leg.to = leg.from.clone().moved(leg.leg.path.end());
-            }
-        }
+    // Where the hand is now, once it has let go: the place that the plan has for it, and the one that it is at.
+    let mut now: Option<(Anchor, Anchor)> = None;
+    for n in 0..own.legs.len() {
+        let interval = own.legs[n].interval;
+        let first = own.legs.iter().position(|leg| leg.interval == interval).unwrap_or(n);
+        let leg = &own.legs[n];
+        let (planned, was) = (leg.from.clone(), leg.to.clone());
+        let mut from = now.take().filter(|(planned, _)| *planned == leg.from).map_or(leg.from.clone(), |(_, at)| at);
         if leg.hold == Riding::LetsGo {
-            let first = instants.iter().position(|now| now.leg >= Some(n)).unwrap_or(models.len() - 1);
-            let from = leg.from.position(&models[first.min(models.len() - 1)]);
-            leg.from = Anchor::Fixed(from);
-            leg.to = Anchor::Fixed(from + leg.leg.path.end());
+            let frame = instants.iter().position(|i| i.leg >= Some(n)).unwrap_or(models.len() - 1);
+            from = Anchor::Fixed(from.position(&models[frame.min(models.len() - 1)]));
         }
-        if leg.to != was {
-            before = Some((was, leg.to.clone()));
-        }
+        let to = match &leg.leg.end {
+            _ if from == planned => was.clone(),
+            LegEnd::StartOf(earlier) => own.legs.get(first + earlier).map_or(was.clone(), |leg| leg.from.clone()),
+            LegEnd::Displaced if was == planned.moved(leg.leg.path.end()) => from.clone().moved(leg.leg.path.end()),
+            LegEnd::Displaced
+            | LegEnd::At(_)
+            | LegEnd::Meeting(_)
+            | LegEnd::Rebound(_)
+            | LegEnd::AtKey(_)
+            | LegEnd::NextKey
+            | LegEnd::Off(..) => was.clone(),
+        };
+        now = Some((was, to.clone()));
+        (own.legs[n].from, own.legs[n].to) = (from, to);
     }
     Some(own)
 }

@@ -121,6 +121,23 @@ impl Planner<'_> {
         })
     }
 
+    /// Moves the starts that follow from a later place on the other hand: where that one moves as well, this one begins so
+    /// that it comes there on its own way.
+    pub(super) fn begin_apart(&self, walks: &mut [Walk]) {
+        if walks.len() != 2 {
+            return;
+        }
+        for n in 0..2 {
+            let own = &walks[n];
+            let rides = own.start.rides_on(self.signer.arm(own.side.other()).clavicle, &self.signer.skeleton);
+            let later = own.sites.iter().position(|site| site.anchor.is_some()).filter(|key| rides && *key > 0);
+            let Some(key) = later else { continue };
+            let way: Option<DVec3> = walks[1 - n].intervals[..key].iter().map(|legs| way_of(legs)).sum();
+            let start = own.start.clone().moved(way.unwrap_or_default());
+            walks[n].starts_at(start);
+        }
+    }
+
     /// Takes the hands through an interval, to where they meet at its end if they do.
     pub(super) fn step(&self, walks: &mut [Walk], interval: usize, known: &mut Known) -> Result<(), Error> {
         let meets = walks.first().is_some_and(|w| w.part.sign.contact.stated(interval + 1).is_some());
