@@ -119,7 +119,7 @@ impl Reflection {
         Repetition { shift, ..r }
     }
 
-    fn becoming(self, b: &Becoming) -> Becoming {
+    pub(super) fn becoming(self, b: &Becoming) -> Becoming {
         Becoming { orientation: b.orientation.map(|o| self.orientation(&o)), ..b.clone() }
     }
 

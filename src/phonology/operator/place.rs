@@ -42,7 +42,7 @@ pub fn touches(placement: &Placement, locations: &LocationInventory) -> bool {
 /// assert_eq!(anchored(&sign, &LocationInventory::builtin()).as_deref(), Some("temple"));
 /// ```
 pub fn anchored(sign: &Sign, locations: &LocationInventory) -> Option<String> {
-    let hands = Hand::BOTH.into_iter().filter_map(|hand| hand_of(sign, hand));
+    let hands = sign.phases().flat_map(|phase| Hand::BOTH.into_iter().filter_map(|hand| hand_of(phase, hand)));
     hands.into_iter().find_map(|own| on_body(&own, locations))
 }
 
