@@ -2,7 +2,7 @@
 
 use crate::body::landmarks::{ContactPoint, Landmark};
 use crate::motion::pose::ModelPose;
-use crate::motion::skeleton::JointId;
+use crate::motion::skeleton::{JointId, Skeleton};
 use glam::DVec3;
 
 /// A point that may be carried by a joint.
@@ -46,6 +46,25 @@ impl Anchor {
             Anchor::Carried { joint, offset } => model.point(*joint, *offset),
             Anchor::Middle(parts) => parts.iter().map(|a| a.position(model)).sum::<DVec3>() / parts.len().max(1) as f64,
             Anchor::Moved(anchor, by) => anchor.position(model) + *by,
+        }
+    }
+
+    /// Whether it goes where a joint goes.
+    pub fn rides_on(&self, carrier: JointId, skeleton: &Skeleton) -> bool {
+        match self {
+            Anchor::Fixed(_) => false,
+            Anchor::Carried { joint, .. } => {
+                let mut at = Some(*joint);
+                while let Some(joint) = at {
+                    if joint == carrier {
+                        return true;
+                    }
+                    at = skeleton[joint].parent;
+                }
+                false
+            }
+            Anchor::Middle(parts) => parts.iter().any(|part| part.rides_on(carrier, skeleton)),
+            Anchor::Moved(anchor, _) => anchor.rides_on(carrier, skeleton),
         }
     }
 }

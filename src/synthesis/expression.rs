@@ -1,6 +1,7 @@
 //! Non-manual tiers written into frames: cues laid out between the keys, and what they do at an instant.
 
 use super::face::{self, Cue};
+use super::plan::Known;
 use super::prepare::Prepared;
 use super::schedule::Schedule;
 use super::stage::Stage;
@@ -25,7 +26,7 @@ impl Stage<'_> {
         for (sign, timeline) in prepared.iter().zip(timelines) {
             let locate = |value: &NonManualValue| self.locate(value, Some(sign));
             for (channel, values) in &sign.sign.nonmanual {
-                let laid_out = face::lay_out(*channel, values, &timeline.keys, timeline.hold_end, expressions, &locate);
+                let laid_out = face::lay_out(*channel, values, &timeline.keys, timeline.sign_end, expressions, &locate);
                 cues.extend(laid_out.map_err(|e| e.context(&plan.items[sign.item].gloss))?);
             }
         }
@@ -53,8 +54,13 @@ impl Stage<'_> {
                     let other = sign.and_then(|s| s.hands.iter().find(|h| h.side == Side::Left));
                     other.map(|h| h.start.position(model))
                 }
-                (_, Some(sign)) => Some(self.planner().place(placement, sign.sign)?.position(model)),
-                (_, None) => Some(self.planner().place(placement, &Sign::named(""))?.position(model)),
+                (_, Some(sign)) => {
+                    Some(self.planner().place(placement, sign.sign, &mut sign.known.clone())?.position(model))
+                }
+                (_, None) => {
+                    let known = &mut Known::default();
+                    Some(self.planner().place(placement, &Sign::named(""), known)?.position(model))
+                }
             },
             NonManualValue::Named(_)
             | NonManualValue::Mouthing(_)

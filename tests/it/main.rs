@@ -49,6 +49,7 @@ mod strategies;
 mod synthesis_edit;
 mod synthesis_edit_track;
 mod synthesis_face;
+mod synthesis_more;
 mod synthesis_path;
 mod synthesis_plan;
 mod synthesis_routes;
