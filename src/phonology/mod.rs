@@ -27,6 +27,7 @@ pub mod placement;
 pub mod recombination;
 mod reflection;
 pub mod roll;
+pub mod sampa;
 pub mod sign;
 pub mod symmetry;
 
