@@ -8,6 +8,7 @@ use super::reach::{ArmFrame, HandTarget, ReachOptions, follow};
 use super::stage::Stage;
 use super::timeline::Timeline;
 use crate::body::landmarks::ContactPoint;
+use crate::body::signer::Shoulder;
 use crate::motion::pose::{LocalPose, ModelPose};
 use crate::motion::short_arc::ShortArc;
 use crate::phonology::Side;
@@ -48,8 +49,8 @@ pub(super) struct Stroke<'s> {
     pub natural: f64,
     /// Whether the body moves under the arm.
     pub body: Body,
-    /// How far both shoulders are raised in each frame of the clip, radians.
-    pub raised: &'s [[f64; 2]],
+    /// How both shoulders are moved in each frame of the clip.
+    pub raised: &'s [[Shoulder; 2]],
 }
 
 impl Stage<'_> {

@@ -27,6 +27,7 @@ mod motion_interpolation;
 mod motion_profile;
 mod motion_rotation;
 mod moving;
+mod nonmanual;
 mod notation_errors;
 mod notation_explain;
 mod notation_format;
