@@ -8,3 +8,4 @@ pub mod lex;
 pub mod parse;
 pub mod symbol;
 pub mod syntax;
+pub mod table;
