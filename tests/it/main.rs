@@ -17,6 +17,7 @@ mod format_html;
 mod format_svg;
 mod golden;
 mod hamnosys_parse;
+mod hamnosys_table;
 mod layers;
 mod lexicon_alphabets;
 mod motion_arm;
