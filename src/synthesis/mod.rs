@@ -31,6 +31,7 @@ mod stroke;
 mod tiers;
 mod timeline;
 mod vary;
+pub mod verify;
 mod ways;
 
 use crate::body::arm::WristLimits;
