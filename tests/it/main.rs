@@ -7,6 +7,7 @@ mod format_glb;
 mod phonology_handshape;
 
 mod cli;
+mod cli_each;
 mod cli_profile;
 mod docs_notation;
 mod examples;
