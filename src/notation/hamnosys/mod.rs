@@ -8,6 +8,7 @@ mod kind;
 pub mod lex;
 pub mod lower;
 pub mod parse;
+pub mod print;
 pub mod raise;
 pub mod symbol;
 pub mod syntax;
