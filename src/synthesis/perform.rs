@@ -1,8 +1,8 @@
 //! A plan signed: its items laid out in time, strokes written hand by hand, ways between them, face and body.
 
 use super::layout::{Slower, end_place, lay_out, start_place, to_rest};
-use super::plan::HandPlan;
 use super::phased::Phased;
+use super::plan::HandPlan;
 use super::prepare::{Prepared, prepare};
 use super::report::Report;
 use super::schedule::{Measured, Schedule};

@@ -25,12 +25,7 @@ impl Stage<'_> {
     ///
     /// # Errors
     /// A place that the inventory lacks.
-    pub(super) fn way_to(
-        &self,
-        prepared: &mut Prepared,
-        place: &Place,
-        paths: &[WristPath],
-    ) -> Result<DVec3, Error> {
+    pub(super) fn way_to(&self, prepared: &mut Prepared, place: &Place, paths: &[WristPath]) -> Result<DVec3, Error> {
         let placement = Placement::at(place.clone());
         let target = self.planner().place(&placement, prepared.sign, &mut prepared.known)?;
         let places = || paths.iter().flat_map(|path| &path.places);

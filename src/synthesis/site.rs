@@ -129,9 +129,7 @@ impl Planner<'_> {
             }
             Place::OtherHand(point) => match instead {
                 None => self.on_other_hand(*point, placement, side)?,
-                Some(Instead::OwnPlace) => {
-                    self.default_place(Asker { meeting: Meeting::Apart, ..asker }, known)?
-                }
+                Some(Instead::OwnPlace) => self.default_place(Asker { meeting: Meeting::Apart, ..asker }, known)?,
                 Some(Instead::Middle) => self.default_place(Asker { meeting: Meeting::Meets, ..asker }, known)?,
             },
             Place::Space(cell) => {
@@ -154,7 +152,8 @@ impl Planner<'_> {
             Place::Referent(name) => match known.referents.get(name) {
                 Some(place) => place.clone(),
                 None => {
-                    known.warn(format!("nothing has been placed at the referent {name} before; neutral space is taken"));
+                    known
+                        .warn(format!("nothing has been placed at the referent {name} before; neutral space is taken"));
                     self.default_place(asker, known)?
                 }
             },

@@ -1,8 +1,8 @@
 //! One hand's stroke and hold, frame by frame: the fingers eased from key to key, the arm solved behind the hand.
 
-use super::path_of_hand::{Instant, instant};
 use super::anchor::Anchor;
 use super::leg::{FingerOrder, LegEnd};
+use super::path_of_hand::{Instant, instant};
 use super::plan::{HandPlan, Riding};
 use super::reach::{ArmFrame, HandTarget, ReachOptions, follow};
 use super::stage::Stage;
@@ -129,9 +129,8 @@ impl Stage<'_> {
             for (n, frame) in solved.iter_mut().enumerate() {
                 let model = poses[stint.first + n].to_model(skeleton);
                 let turned = model.rotation(arm.hand).inverse();
-                let offset = instants[n].offset(plan, |point: &ContactPoint| {
-                    turned * (point.position(&model) - model.position(arm.hand))
-                });
+                let offset = instants[n]
+                    .offset(plan, |point: &ContactPoint| turned * (point.position(&model) - model.position(arm.hand)));
                 frame.residual_m = wanted[n].distance(model.point(arm.hand, offset));
             }
         }

@@ -84,9 +84,9 @@ impl Choice {
                     let message = "braces around one alternative say nothing";
                     diagnostics.push(Diagnostic::warning(start.to(lexeme.span), message).label("passed over"));
                 }
-                None => diagnostics.push(
-                    Diagnostic::warning(lexeme.span, "this brace closes nothing").label("passed over"),
-                ),
+                None => {
+                    diagnostics.push(Diagnostic::warning(lexeme.span, "this brace closes nothing").label("passed over"))
+                }
             },
             _other => return !self.over && self.open.iter().all(|(_, over)| *over == Over::No),
         }

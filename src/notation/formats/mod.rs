@@ -6,15 +6,19 @@
 //! # What it refuses
 //! A sign that cannot be used, or cannot be said in a form, is left out with the reason; the others are read and written.
 
+mod trees;
+
+use super::hamnosys::Dictionary;
 use super::lower::{Derived, Lowered};
 use super::read::{Reading, read};
 use super::syntax::{Begins, Content};
 use super::vocabulary::Vocabulary;
 use super::{print, raise};
-use crate::diagnostics::{Diagnostic, Severity, Source, Span};
+use crate::diagnostics::{Diagnostic, Severity, Source};
 use crate::phonology::expression::Expressions;
 use crate::phonology::handshape::HandshapeInventory;
 use crate::phonology::{LocationInventory, Sign};
+use std::sync::Arc;
 
 /// How much of a file is looked at to know its notation, bytes.
 const LOOKED_AT: usize = 64 * 1024;
@@ -147,16 +151,28 @@ pub fn is_string(argument: &str) -> bool {
 }
 
 /// What readers and writers look names up in.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Clone)]
 pub struct Words {
     /// The names that `.sign` texts may use.
     pub vocabulary: Vocabulary,
+    /// What HamNoSys and SiGML call them.
+    pub dictionary: Arc<Dictionary>,
+}
+
+/// Every name in `.sign` texts; the built-in inventories for HamNoSys.
+impl Default for Words {
+    fn default() -> Words {
+        Words { vocabulary: Vocabulary::open(), dictionary: Arc::new(Dictionary::builtin().clone()) }
+    }
 }
 
 impl Words {
     /// The words of inventories.
     pub fn of(handshapes: &HandshapeInventory, places: &LocationInventory, expressions: &Expressions) -> Words {
-        Words { vocabulary: Vocabulary::of(handshapes, places, expressions) }
+        Words {
+            vocabulary: Vocabulary::of(handshapes, places, expressions),
+            dictionary: Arc::new(Dictionary::of(handshapes, places, expressions)),
+        }
     }
 }
 
@@ -209,15 +225,10 @@ impl From<Reading> for AnyReading {
 pub fn read_any(source: &Source, notation: Notation, words: &Words, language: &str) -> AnyReading {
     match notation {
         Notation::Sign => read(&source.text, &words.vocabulary, language).into(),
-        Notation::HamNoSys | Notation::SiGml | Notation::Table => not_yet(notation, source),
+        Notation::HamNoSys => trees::strings(source, words, language),
+        Notation::SiGml => trees::sigml(source, words, language),
+        Notation::Table => trees::table(source, words, language),
     }
-}
-
-/// The answer of a notation that has no reader.
-fn not_yet(notation: Notation, source: &Source) -> AnyReading {
-    let first = source.text.find('\n').unwrap_or(source.text.len());
-    let fault = Diagnostic::fault(Span::new(0, first), format!("{} is not read yet", notation.name()));
-    AnyReading { notation, signs: Vec::new(), derived: Vec::new(), refused: 1, diagnostics: vec![fault] }
 }
 
 /// How signs are written: a notation and its spelling.
@@ -273,9 +284,11 @@ pub struct Written {
     pub text: String,
     /// What could not be said.
     pub refused: Vec<Refused>,
+    /// What is said only nearly, such as lengths in centimetres.
+    pub nearly: Vec<Refused>,
 }
 
-/// A sign that a form cannot say.
+/// A sign that a form cannot say, or not all of it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Refused {
     /// The sign's number among those given, from 0.
@@ -295,12 +308,7 @@ pub struct Refused {
 pub fn write_any(signs: &[&Sign], form: Form, words: &Words) -> Written {
     match form {
         Form::Sign => write_signs(signs, words),
-        Form::SiGml | Form::HSiGml | Form::HamNoSys | Form::Names => {
-            let reason = format!("`--as {}` cannot be written yet", form.name());
-            let all = 0..signs.len();
-            let refused = all.map(|sign| Refused { sign, reasons: vec![reason.clone()] }).collect();
-            Written { text: String::new(), refused }
-        }
+        Form::SiGml | Form::HSiGml | Form::HamNoSys | Form::Names => trees::write(signs, form, words),
     }
 }
 
