@@ -5,6 +5,7 @@ mod body_skin;
 mod format_csv;
 mod format_glb;
 mod phonology_handshape;
+mod phonology_handshape_changes;
 
 mod cli;
 mod cli_each;

@@ -10,7 +10,7 @@ use super::limits::HandLimits;
 use super::shape::Handshape;
 use super::thumb::{Thumb, Wish};
 use super::written::Written;
-use crate::phonology::{Bend, Configuration, Digits, HandshapeChange, Opening, ThumbPosition};
+use crate::phonology::{Bend, Configuration, Digit, Digits, HandshapeChange, Opening, ThumbPosition};
 
 /// A hand while changes are applied to it.
 pub(super) struct Shaping<'a> {
@@ -52,28 +52,32 @@ impl HandshapeInventory {
     pub fn angles(&self, configuration: &Configuration, language: Option<&str>) -> Result<HandAngles, NotFound> {
         let base = self.find(&configuration.base, language)?;
         let Some(between) = &configuration.between else {
-            return Ok(self.shaped(base, configuration.changes.iter().copied()));
+            return Ok(self.shaped(base, configuration.changes.iter().copied()).0);
         };
         let second = self.find(&between.second, language)?;
         let is_list = |change: &HandshapeChange| matches!(change, HandshapeChange::On(_));
         let lists = || configuration.changes.iter().copied().filter(is_list);
-        let first = self.shaped(base, lists().chain(between.first.iter().copied()));
-        let second = self.shaped(second, lists().chain(between.changes.iter().copied()));
+        let (first, from) = self.shaped(base, lists().chain(between.first.iter().copied()));
+        let (second, to) = self.shaped(second, lists().chain(between.changes.iter().copied()));
         let mut whole = Shaping::of(self, base);
-        whole.mixed(&first.lerp(&second, 0.5));
+        whole.mixed(&first.lerp(&second, 0.5), from.zip(to));
         for change in configuration.changes.iter().filter(|change| !is_list(change)) {
             whole.apply(*change);
         }
         Ok(HandLimits::ANATOMICAL.clamp(&whole.composed()))
     }
 
-    /// A row's hand with changes.
-    fn shaped(&self, row: &Handshape, changes: impl Iterator<Item = HandshapeChange>) -> HandAngles {
+    /// A row's hand with changes, and where its thumb is.
+    fn shaped(
+        &self,
+        row: &Handshape,
+        changes: impl Iterator<Item = HandshapeChange>,
+    ) -> (HandAngles, Option<ThumbPosition>) {
         let mut shaping = Shaping::of(self, row);
         for change in changes {
             shaping.apply(change);
         }
-        HandLimits::ANATOMICAL.clamp(&shaping.hand())
+        (HandLimits::ANATOMICAL.clamp(&shaping.hand()), shaping.thumb_position())
     }
 }
 
@@ -94,11 +98,26 @@ impl<'a> Shaping<'a> {
         }
     }
 
-    /// Takes a hand that lies between two as it is.
-    fn mixed(&mut self, hand: &HandAngles) {
+    /// Takes a hand that lies between two as it is. From a closed index's side to across the closed fingers a thumb goes over
+    /// the index, not through it.
+    fn mixed(&mut self, hand: &HandAngles, thumbs: Option<(ThumbPosition, ThumbPosition)>) {
         self.fingers = hand.fingers;
-        self.thumb = Thumb { angles: hand.thumb, wish: Wish::Kept, bend: None };
+        let along_and_across = matches!(
+            thumbs,
+            Some((ThumbPosition::Along, ThumbPosition::Across) | (ThumbPosition::Across, ThumbPosition::Along))
+        );
+        let wish = if along_and_across && hand.fingers[0].pip > CLOSED { Wish::OverIndex } else { Wish::Kept };
+        self.thumb = Thumb { angles: hand.thumb, wish, bend: None };
         self.written = None;
+    }
+
+    /// Where the thumb is, as its wish or the row says.
+    fn thumb_position(&self) -> Option<ThumbPosition> {
+        match self.thumb.wish {
+            Wish::Position(position) => Some(position),
+            Wish::Own | Wish::Kept => self.row.thumb_position(),
+            Wish::OverIndex | Wish::Between(..) | Wish::At(_) | Wish::Touch(..) => None,
+        }
     }
 
     fn apply(&mut self, change: HandshapeChange) {
@@ -141,6 +160,7 @@ impl<'a> Shaping<'a> {
             }
             HandshapeChange::On(fingers) if fingers == selected => {}
             HandshapeChange::On(fingers) => written.list = fingers,
+            HandshapeChange::Meet(a, part, Digit::Thumb) => written.meet = Some((Digit::Thumb, part, a)),
             HandshapeChange::Meet(a, part, b) => written.meet = Some((a, part, b)),
             // How open it is, is made from the row without it.
             HandshapeChange::Except(_) | HandshapeChange::Opening(_) => {}
@@ -181,7 +201,7 @@ impl<'a> Shaping<'a> {
             (Opening::Slack, false) => 1.0,
         };
         let mut open = hand;
-        for (i, digit) in crate::phonology::Digit::FINGERS.into_iter().enumerate() {
+        for (i, digit) in Digit::FINGERS.into_iter().enumerate() {
             if self.selected.contains(digit) {
                 open.fingers[i] = pinch.fingers[i].lerp(&cee.fingers[i], way);
             }
@@ -193,6 +213,8 @@ impl<'a> Shaping<'a> {
     }
 }
 
+/// The flexion of the middle joint beyond which a finger is closed enough to have a thumb laid over it, radians.
+const CLOSED: f64 = 1.0;
 /// How far from the pinch to the C a tight one stands.
 const TIGHT: f64 = 0.5;
 /// How far a slack one stands: beyond the C.

@@ -3,7 +3,7 @@
 use super::angles::{FingerAngles, ThumbAngles};
 use super::change::Shaping;
 use super::shape::{Handshape, ThumbGoal, ThumbTarget};
-use crate::phonology::{Bend, Digit, HandPart, ThumbPosition};
+use crate::phonology::{Bend, Digit, Digits, HandPart, ThumbPosition};
 
 /// The thumb while changes are applied.
 pub(super) struct Thumb {
@@ -22,6 +22,8 @@ pub(super) enum Wish {
     Own,
     /// Stay as it is.
     Kept,
+    /// Lie over the closed index alone.
+    OverIndex,
     /// Stand in a position.
     Position(ThumbPosition),
     /// Come out between two fingers.
@@ -42,6 +44,10 @@ impl Shaping<'_> {
                 Some(position) => self.in_position(position),
                 None => self.nearest(|row| same_family(&row.thumb, &self.row.thumb)),
             },
+            Wish::OverIndex => self.nearest(|row| match row.thumb {
+                ThumbGoal::Touch(_, digits, ThumbTarget::MiddleBack) => digits == Digits::of([Digit::Index]),
+                ThumbGoal::Touch(..) | ThumbGoal::Posture(_) | ThumbGoal::Between(..) | ThumbGoal::Gap(..) => false,
+            }),
             Wish::Position(position) => self.in_position(position),
             Wish::Between(a, b) => self.nearest(|row| row.thumb_between() == Some((a, b))),
             Wish::At(part) => self.touching(part, self.selected.iter().next().unwrap_or(Digit::Index)),
