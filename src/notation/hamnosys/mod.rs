@@ -6,5 +6,6 @@
 mod kind;
 pub mod lex;
 pub mod parse;
+pub mod print;
 pub mod symbol;
 pub mod syntax;
