@@ -1,7 +1,7 @@
 //! HamNoSys 4 and SiGML: strings of symbols, lists of their names, XML.
 //!
 //! One tree ([`syntax`]) for all of them; [`lower()`] makes a [`Sign`](crate::phonology::Sign) of it, [`raise()`] goes back.
-//! HamNoSys itself is read by [`symbol`], [`lex`] and [`mod@parse`].
+//! HamNoSys itself is read by [`symbol`], [`lex`] and [`mod@parse`], and written by [`print`](mod@print).
 
 mod dictionary;
 mod kind;

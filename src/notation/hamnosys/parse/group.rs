@@ -73,9 +73,7 @@ impl Parser {
             Some(Kind::At | Kind::Beside) => open + 2,
             _other => open + 1,
         };
-        if !matches!(self.kind(open), Some(Kind::Open(_)))
-            || !matches!(self.kind(at), Some(Kind::Body(_) | Kind::Arm(_)))
-        {
+        if !matches!(self.kind(open), Some(Kind::Open(_))) || !matches!(self.kind(at), Some(Kind::Body(_) | Kind::Arm(_))) {
             return false;
         }
         at += 1;
