@@ -258,9 +258,11 @@ pub(super) struct GrowthWords<'a> {
 impl Manner {
     /// The action with the hands taking turns, where that is said.
     pub(super) fn alternate(&self, action: Action) -> Action {
-        match self.alternating() {
-            None => action,
-            Some(times @ (Times::Once | Times::Twice)) => Action::Alternating(Box::new(action), times),
+        match (self.alternating(), action) {
+            (None, action) => action,
+            // Said of an action and of the element around it: it is the same turn.
+            (Some(_), action @ Action::Alternating(..)) => action,
+            (Some(times), action) => Action::Alternating(Box::new(action), times),
         }
     }
 
