@@ -6,6 +6,7 @@
 mod kind;
 pub mod lex;
 pub mod parse;
+pub mod print;
 pub mod symbol;
 pub mod syntax;
 pub mod table;

@@ -201,7 +201,6 @@ fn doubled(kind: Kind) -> bool {
             | Kind::Symmetry(_)
             | Kind::Etc
             | Kind::Between
-            | Kind::Replace
             | Kind::Plus
     )
 }

@@ -23,7 +23,7 @@ pub(super) type Read<T> = Result<T, Stop>;
 
 /// Which hands the sign is of: some symbols mean another thing in signs of two hands.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Handed {
+pub(in crate::notation::hamnosys) enum Handed {
     One,
     Two,
 }
