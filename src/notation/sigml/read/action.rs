@@ -4,9 +4,7 @@ use super::movement::{MOTIONS, Manner};
 use super::place::PLACES;
 use super::reader::{Attr, Node, Reader, attributes, elements, tag_span};
 use super::words::{CHANGE, REPETITION, SIZE};
-use crate::notation::hamnosys::syntax::{
-    Action, Growth, Motion, Move, Posture, Repetition, RepetitionKind, Shift, Times,
-};
+use crate::notation::hamnosys::syntax::{Action, Growth, Motion, Move, Posture, Repetition, RepetitionKind, Shift};
 use crate::phonology::Size;
 
 /// The elements that combine motions.
