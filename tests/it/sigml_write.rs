@@ -6,6 +6,7 @@ use chereme::diagnostics::{Severity, Source};
 use chereme::notation::hamnosys::syntax::*;
 use chereme::notation::sigml::{Kind, read, write};
 use proptest::prelude::*;
+use std::collections::BTreeMap;
 
 /// Reads what is written; there may be warnings, no faults.
 fn again(text: &str) -> Vec<Sign> {
@@ -92,6 +93,100 @@ fn what_cannot_be_said_is_named() {
     assert!(refusal(|phase| phase.actions = vec![deep]).contains("within each other"));
     let named = Location::One(Site::Named("\u{1}".to_owned()));
     assert!(refusal(|phase| phase.location = Some(named)).contains("U+0001"));
+}
+
+/// The non-manual values of a sign, whatever their tier.
+fn features(sign: &Sign) -> Vec<(FeatureKind, String)> {
+    fn all(cue: &Cue, found: &mut Vec<(FeatureKind, String)>) {
+        match cue {
+            Cue::One(feature) => found.push((feature.kind, feature.value.clone())),
+            Cue::Together(cues) | Cue::Sequence(cues) => cues.iter().for_each(|cue| all(cue, found)),
+        }
+    }
+    let mut found = Vec::new();
+    sign.nonmanual.iter().flat_map(|tier| &tier.cues).for_each(|cue| all(cue, &mut found));
+    found.sort_by_key(|(kind, _)| *kind as u8);
+    found
+}
+
+/// Why a sign cannot be written, without its gloss and what it names.
+fn reason(sign: &Sign, kind: Kind) -> Option<String> {
+    let error = write(std::slice::from_ref(sign), kind).err()?.to_string();
+    let what = error.split_once(": ").map_or(error.as_str(), |(_, what)| what);
+    Some(what.split('`').step_by(2).collect::<Vec<_>>().join("…"))
+}
+
+#[test]
+fn the_indian_dictionary_is_written_as_it_was_read() {
+    for source in files("data/lexica/isl") {
+        for sign in read(&source).0 {
+            let text = write(std::slice::from_ref(&sign), Kind::HamNoSys);
+            let text = text.unwrap_or_else(|e| panic!("{}: {e}", source.name));
+            assert_eq!(again(&text), [sign], "{}\n{text}", source.name);
+        }
+    }
+}
+
+#[test]
+fn the_indian_dictionary_is_written_as_gestural_sigml() {
+    let files = files("data/lexica/isl");
+    let (mut written, mut reasons) = (0, BTreeMap::<String, usize>::new());
+    for sign in files.iter().flat_map(|source| read(source).0) {
+        if let Some(reason) = reason(&sign, Kind::Gestural) {
+            *reasons.entry(reason).or_default() += 1;
+            continue;
+        }
+        written += 1;
+        let text = write(std::slice::from_ref(&sign), Kind::Gestural).unwrap();
+        let read = again(&text);
+        assert_eq!(write(&read, Kind::Gestural).unwrap(), text);
+        // A bend without a digit means the index finger; gestural SiGML says which.
+        if !format!("{:?}", sign.phases).contains("(None, ") {
+            assert_eq!(read, [sign], "{text}");
+        }
+    }
+    println!("{written} Indian signs can be said in gestural SiGML: {reasons:#?}");
+    assert!(files.is_empty() || written > 820, "{written} {reasons:#?}");
+}
+
+#[test]
+fn what_h_sigml_cannot_say_of_the_dutch_dictionary_has_its_reasons() {
+    let files = files("data/lexica/ngt");
+    let (mut written, mut reasons) = (0, BTreeMap::<String, usize>::new());
+    for source in &files {
+        let sign = &read(source).0[0];
+        if let Some(reason) = reason(sign, Kind::HamNoSys) {
+            *reasons.entry(reason).or_default() += 1;
+            continue;
+        }
+        written += 1;
+        let text = write(std::slice::from_ref(sign), Kind::HamNoSys).unwrap();
+        let read = &again(&text)[0];
+        assert_eq!((&read.gloss, features(read)), (&sign.gloss, features(sign)), "{}\n{text}", source.name);
+        assert_eq!(read.phases, sign.phases, "{}\n{text}", source.name);
+    }
+    println!("{written} of {} Dutch signs can be said in H-SiGML: {reasons:#?}", files.len());
+    assert!(files.is_empty() || written > 2000, "{written} {reasons:#?}");
+}
+
+#[test]
+fn signs_of_face_and_body_have_no_symbols() {
+    let text = "<hns_sign gloss=\"A\" timescale=\"2\"><hamnosys_nonmanual><hnm_body tag=\"RL\"/></hamnosys_nonmanual></hns_sign>";
+    let signs = again(text);
+    let written = write(&signs, Kind::HamNoSys).unwrap();
+    assert!(written.contains("timescale=\"2\"") && written.contains("<hamnosys_manual/>"), "{written}");
+    assert_eq!(again(&written), signs);
+}
+
+#[test]
+fn h_sigml_says_neither_sequences_nor_amounts() {
+    let error = |tier: &str| {
+        let text = format!("<hamgestural_sign><sign_nonmanual>{tier}</sign_nonmanual></hamgestural_sign>");
+        reason(&again(&text)[0], Kind::HamNoSys).unwrap()
+    };
+    let two = "<mouthing_tier><mouth_picture picture=\"a\"/><mouth_picture picture=\"b\"/></mouthing_tier>";
+    assert!(error(two).contains("one after the other"));
+    assert!(error("<head_tier><head_movement movement=\"NO\" amount=\"2\"/></head_tier>").contains("how much"));
 }
 
 proptest! {

@@ -20,7 +20,7 @@ pub(super) fn refused(text: &str) -> Option<Diagnostic> {
     let mut open: Vec<usize> = Vec::new();
     let mut namespaces = 0;
     let mut at = 0;
-    while let Some(start) = find(text, at, "<") {
+    while let Some(start) = byte(text, at, b'<') {
         let rest = &text[start..];
         let end = if rest.starts_with("<!--") {
             find(text, start + 4, "-->")
@@ -32,7 +32,7 @@ pub(super) fn refused(text: &str) -> Option<Diagnostic> {
             return Some(document_type(start, rest));
         } else if rest.starts_with("</") {
             namespaces -= open.pop().unwrap_or(0);
-            find(text, start, ">")
+            byte(text, start, b'>')
         } else {
             let tag = tag(text, start)?;
             if tag.attributes > MOST_ATTRIBUTES {
@@ -53,6 +53,11 @@ pub(super) fn refused(text: &str) -> Option<Diagnostic> {
         at = end?;
     }
     None
+}
+
+/// Where a character of one byte is, from a place on.
+fn byte(text: &str, from: usize, wanted: u8) -> Option<usize> {
+    text.as_bytes().get(from..)?.iter().position(|byte| *byte == wanted).map(|i| from + i)
 }
 
 /// Where a mark is, from a place on.
@@ -101,7 +106,7 @@ fn tag(text: &str, start: usize) -> Option<Tag> {
     loop {
         match bytes.get(at)? {
             b'>' => break,
-            quote @ (b'"' | b'\'') => at = find(text, at + 1, if *quote == b'"' { "\"" } else { "'" })?,
+            quote @ (b'"' | b'\'') => at = byte(text, at + 1, *quote)?,
             b'=' => attributes += 1,
             b'x' if bytes[at - 1].is_ascii_whitespace() && bytes[at..].starts_with(b"xmlns") => namespaces += 1,
             _ => {}

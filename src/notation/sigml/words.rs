@@ -1,11 +1,14 @@
 //! The values of gestural SiGML, read and written by the same tables.
 
+mod letters;
+mod nonmanual;
+
 use crate::notation::hamnosys::syntax::{
-    Bend, Change, Contact, Ellipse, Face, FeatureKind, FingerPart, RepetitionKind, ShapeClass, Side, Successive, Thumb,
-    TierKind, WaveStyle,
+    Bend, Change, Contact, Ellipse, Face, FingerPart, RepetitionKind, ShapeClass, Side, Successive, Thumb, WaveStyle,
 };
-use crate::phonology::roll::Roll;
-use crate::phonology::{Clock, Digit, Direction, Size, WristMotion};
+use crate::phonology::{Size, WristMotion};
+pub(super) use letters::*;
+pub(super) use nonmanual::*;
 
 /// What the values of an attribute are called.
 pub(super) struct Words<T: 'static> {
@@ -274,105 +277,6 @@ pub(super) const TRUTH: Words<bool> = Words {
     also: &[("True", true), ("TRUE", true), ("False", false), ("FALSE", false), ("1", true), ("0", false)],
 };
 
-pub(super) const TIER: Words<TierKind> = Words {
-    what: "a non-manual tier",
-    all: &[
-        TierKind::Shoulder,
-        TierKind::Body,
-        TierKind::Head,
-        TierKind::EyeGaze,
-        TierKind::FacialExpression,
-        TierKind::Mouthing,
-        TierKind::Extra,
-    ],
-    word: |tier| match tier {
-        TierKind::Shoulder => "shoulder_tier",
-        TierKind::Body => "body_tier",
-        TierKind::Head => "head_tier",
-        TierKind::EyeGaze => "eyegaze_tier",
-        TierKind::FacialExpression => "facialexpr_tier",
-        TierKind::Mouthing => "mouthing_tier",
-        TierKind::Extra => "extra_tier",
-    },
-    also: &[],
-};
-
-/// The elements for values of a tier at the same time and one after the other.
-pub(super) fn groups(tier: TierKind) -> (&'static str, &'static str) {
-    match tier {
-        TierKind::Shoulder => ("shoulder_par", "shoulder_seq"),
-        TierKind::Body => ("body_par", "body_seq"),
-        TierKind::Head => ("head_par", "head_seq"),
-        TierKind::EyeGaze => ("eye_par", "eye_seq"),
-        TierKind::FacialExpression => ("facial_expr_par", "facial_expr_seq"),
-        TierKind::Mouthing => ("mouthing_par", "mouthing_seq"),
-        TierKind::Extra => ("extra_par", "extra_seq"),
-    }
-}
-
-const FEATURES: &[FeatureKind] = &[
-    FeatureKind::Shoulder,
-    FeatureKind::Body,
-    FeatureKind::Head,
-    FeatureKind::EyeGaze,
-    FeatureKind::EyeBrows,
-    FeatureKind::EyeLids,
-    FeatureKind::Nose,
-    FeatureKind::MouthGesture,
-    FeatureKind::MouthPicture,
-    FeatureKind::Extra,
-];
-
-pub(super) const FEATURE: Words<FeatureKind> = Words {
-    what: "a non-manual value",
-    all: FEATURES,
-    word: |kind| match kind {
-        FeatureKind::Shoulder => "shoulder_movement",
-        FeatureKind::Body => "body_movement",
-        FeatureKind::Head => "head_movement",
-        FeatureKind::EyeGaze => "eye_gaze",
-        FeatureKind::EyeBrows => "eye_brows",
-        FeatureKind::EyeLids => "eye_lids",
-        FeatureKind::Nose => "nose",
-        FeatureKind::MouthGesture => "mouth_gesture",
-        FeatureKind::MouthPicture => "mouth_picture",
-        FeatureKind::Extra => "extra_movement",
-    },
-    also: &[],
-};
-
-/// The same in H-SiGML.
-pub(super) const PLAIN_FEATURE: Words<FeatureKind> = Words {
-    what: "a non-manual value",
-    all: FEATURES,
-    word: |kind| match kind {
-        FeatureKind::Shoulder => "hnm_shoulder",
-        FeatureKind::Body => "hnm_body",
-        FeatureKind::Head => "hnm_head",
-        FeatureKind::EyeGaze => "hnm_eyegaze",
-        FeatureKind::EyeBrows => "hnm_eyebrows",
-        FeatureKind::EyeLids => "hnm_eyelids",
-        FeatureKind::Nose => "hnm_nose",
-        FeatureKind::MouthGesture => "hnm_mouthgesture",
-        FeatureKind::MouthPicture => "hnm_mouthpicture",
-        FeatureKind::Extra => "hnm_extra",
-    },
-    also: &[("hns_extra", FeatureKind::Extra)],
-};
-
-/// The tier that a value belongs to.
-pub(super) fn tier_of(kind: FeatureKind) -> TierKind {
-    match kind {
-        FeatureKind::Shoulder => TierKind::Shoulder,
-        FeatureKind::Body => TierKind::Body,
-        FeatureKind::Head => TierKind::Head,
-        FeatureKind::EyeGaze => TierKind::EyeGaze,
-        FeatureKind::EyeBrows | FeatureKind::EyeLids | FeatureKind::Nose => TierKind::FacialExpression,
-        FeatureKind::MouthGesture | FeatureKind::MouthPicture => TierKind::Mouthing,
-        FeatureKind::Extra => TierKind::Extra,
-    }
-}
-
 /// Places of head and trunk, by their symbols without `ham`, and those that gestural SiGML adds.
 pub(super) const BODY: &[&str] = &[
     "head",
@@ -416,131 +320,3 @@ pub(super) const ARM: &[&str] = &[
     "thumbside",
     "pinkyside",
 ];
-
-/// The digits of a list such as `25`, in its order; `None` where it has anything else.
-pub(super) fn digits(word: &str) -> Option<Vec<Digit>> {
-    word.chars().map(digit).collect()
-}
-
-/// The digit of its number.
-pub(super) fn digit(number: char) -> Option<Digit> {
-    match number {
-        '1' => Some(Digit::Thumb),
-        '2' => Some(Digit::Index),
-        '3' => Some(Digit::Middle),
-        '4' => Some(Digit::Ring),
-        '5' => Some(Digit::Pinky),
-        _ => None,
-    }
-}
-
-/// The number of a digit.
-pub(super) fn number(digit: Digit) -> char {
-    match digit {
-        Digit::Thumb => '1',
-        Digit::Index => '2',
-        Digit::Middle => '3',
-        Digit::Ring => '4',
-        Digit::Pinky => '5',
-    }
-}
-
-/// A direction as written: one, or halfway from the first to the second.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Pointed {
-    One(Direction),
-    Halfway(Direction, Direction),
-}
-
-/// Reads a direction: the letters of its parts in any order; a doubled letter is halfway back to that letter alone, so
-/// that `uuo` lies between `u` and `uo`.
-///
-/// `None` where a letter is unknown, opposite letters meet, or there is none.
-pub(super) fn direction(word: &str) -> Option<Pointed> {
-    if word.len() > 6 {
-        return None;
-    }
-    let (mut all, mut doubled) = ([0i8; 3], [0i8; 3]);
-    for letter in word.bytes() {
-        let (axis, sign) = match letter.to_ascii_lowercase() {
-            b'l' => (0, 1),
-            b'r' => (0, -1),
-            b'u' => (1, 1),
-            b'd' => (1, -1),
-            b'o' => (2, 1),
-            b'i' => (2, -1),
-            _ => return None,
-        };
-        match all[axis] {
-            0 => all[axis] = sign,
-            there if there == sign && doubled[axis] == 0 => doubled[axis] = sign,
-            _ => return None,
-        }
-    }
-    let of = |signs: [i8; 3]| Direction::new(signs[0], signs[1], signs[2]);
-    let whole = of(all)?;
-    Some(match of(doubled) {
-        Some(plain) if plain != whole => Pointed::Halfway(plain, whole),
-        Some(_) | None => Pointed::One(whole),
-    })
-}
-
-/// Writes a direction: height, depth, side.
-pub(super) fn letters(direction: Direction) -> String {
-    let [left, up, out] = direction.signs();
-    let parts = [(up, 'u', 'd'), (out, 'o', 'i'), (left, 'l', 'r')];
-    let letter = |(sign, more, less): (i8, char, char)| match sign {
-        0 => None,
-        1.. => Some(more),
-        _ => Some(less),
-    };
-    parts.into_iter().filter_map(letter).collect()
-}
-
-/// A palm symbol or the bulge of an arc, its letters in either order.
-pub(super) fn roll(word: &str) -> Option<Roll> {
-    Roll::from_tag(word).or_else(|| match *word.as_bytes() {
-        [a, b] if a != b => Roll::from_tag(&String::from_iter([char::from(b), char::from(a)])),
-        _ => None,
-    })
-}
-
-/// A place of the clock face.
-pub(super) fn clock(word: &str) -> Option<Clock> {
-    roll(word).and_then(|roll| Roll::all().position(|r| r == roll)).and_then(|i| Clock::new(u8::try_from(i).ok()?))
-}
-
-/// The letters of a place of the clock face.
-pub(super) fn clock_letters(clock: Clock) -> &'static str {
-    Roll::TAGS[usize::from(clock.eighths() % 8)]
-}
-
-/// A bend as three quarters of the range of each joint (`410`); with decimals (`0.50.50.5`), rounded, said to be so.
-pub(super) fn quarters(word: &str) -> Option<(Bend, Exactness)> {
-    let of = |digits: Vec<f64>| -> Option<[u8; 3]> {
-        let rounded: Vec<u8> = digits.iter().map(|d| d.round() as u8).filter(|d| *d <= 4).collect();
-        rounded.try_into().ok()
-    };
-    let bytes = word.as_bytes();
-    let value = |b: u8| b.is_ascii_digit().then(|| f64::from(b - b'0'));
-    if bytes.len() == 3 {
-        let digits = bytes.iter().map(|b| value(*b)).collect::<Option<Vec<f64>>>()?;
-        return of(digits).map(|q| (Bend::Quarters(q), Exactness::Exact));
-    }
-    if bytes.len() != 9 {
-        return None;
-    }
-    let decimal = |part: &[u8]| match part {
-        [whole, b'.', tenth] => Some(value(*whole)? + value(*tenth)? / 10.0),
-        _ => None,
-    };
-    let digits = bytes.chunks(3).map(decimal).collect::<Option<Vec<f64>>>()?;
-    of(digits).map(|q| (Bend::Quarters(q), Exactness::Rounded))
-}
-
-/// Whether a number was taken as it stands.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Exactness {
-    Exact,
-    Rounded,
-}

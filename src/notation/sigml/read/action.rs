@@ -4,9 +4,7 @@ use super::movement::{MOTIONS, Manner};
 use super::place::PLACES;
 use super::reader::{Attr, Node, Reader, attributes, elements, tag_span};
 use super::words::{CHANGE, REPETITION, SIZE};
-use crate::notation::hamnosys::syntax::{
-    Action, Growth, Motion, Move, Posture, Repetition, RepetitionKind, Shift, Times,
-};
+use crate::notation::hamnosys::syntax::{Action, Growth, Motion, Move, Posture, Repetition, RepetitionKind, Shift};
 use crate::phonology::Size;
 
 /// The elements that combine motions.
@@ -258,9 +256,11 @@ pub(super) struct GrowthWords<'a> {
 impl Manner {
     /// The action with the hands taking turns, where that is said.
     pub(super) fn alternate(&self, action: Action) -> Action {
-        match self.alternating() {
-            None => action,
-            Some(times @ (Times::Once | Times::Twice)) => Action::Alternating(Box::new(action), times),
+        match (self.alternating(), action) {
+            (None, action) => action,
+            // Said of an action and of the element around it: it is the same turn.
+            (Some(_), action @ Action::Alternating(..)) => action,
+            (Some(times), action) => Action::Alternating(Box::new(action), times),
         }
     }
 

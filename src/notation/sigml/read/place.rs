@@ -248,7 +248,9 @@ impl<'a> Reader<'a> {
     fn hand_levels(&mut self, words: &PlaceWords) -> Option<HandLevels> {
         let first = self.hand_level(&words.first)?;
         let between = if words.second.is_written() { Some(self.hand_level(&words.second)?) } else { None };
-        Some(HandLevels { first, between })
+        let nothing =
+            HandLevel { part: HandPlace::Digits(Vec::new(), None), approximate: false, side: None, face: None };
+        Some(HandLevels { first, between: between.filter(|level| *level != nothing) })
     }
 
     fn hand_level(&mut self, words: &LevelWords) -> Option<HandLevel> {

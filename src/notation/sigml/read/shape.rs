@@ -237,7 +237,11 @@ impl Reader<'_> {
             && list.contains(&Digit::Thumb)
         {
             list.retain(|digit| *digit != Digit::Thumb);
-            shape.thumb = shape.thumb.or(Some(ThumbSpecial::Exempted));
+            match (shape.thumb, words.exempted) {
+                (None, _) => shape.thumb = Some(ThumbSpecial::Exempted),
+                (Some(_), Some(attr)) => self.odd(&attr, "one thing can be said of the thumb: its bend is passed over"),
+                (Some(_), None) => {}
+            }
         }
         let exempted = exempted.filter(|list| !list.is_empty());
         let list = special.as_ref().or(exempted.as_ref());

@@ -49,9 +49,14 @@ fn alternating(inner: &Action, times: Times, depth: usize) -> Result<Element, Er
         return unsayable("gestural SiGML says once that hands take turns");
     }
     let mut element = action(inner, depth + 1)?;
+    mark_alternating(&mut element, times);
+    Ok(element)
+}
+
+/// Once or twice.
+pub(super) fn mark_alternating(element: &mut Element, times: Times) {
     element.mark("alternating", true);
     element.mark("second_alternating", times == Times::Twice);
-    Ok(element)
 }
 
 /// A motion with its target. A change of posture shares the element, a target alone needs no motion.

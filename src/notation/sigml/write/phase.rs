@@ -50,6 +50,11 @@ fn body(action: &Action) -> Result<Element, Error> {
         Action::Move(_) | Action::Target(..) | Action::Together(_) | Action::Sequence(_) | Action::Fused(_) => {
             unsayable(BODY)
         }
+        Action::Alternating(inner, times) if matches!(**inner, Action::OfBody(..)) => {
+            let mut element = body(inner)?;
+            action::mark_alternating(&mut element, *times);
+            Ok(element)
+        }
         Action::Split(..) | Action::Repeated(..) | Action::Alternating(..) => unsayable(BODY),
     }
 }
