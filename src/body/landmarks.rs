@@ -256,6 +256,12 @@ impl Landmarks {
         }
     }
 
+    /// A point of the signing space, carried by the upper spine; `arms` is from the middle of the shoulders, arm lengths
+    /// (x left, y up, z out). Its normal points away from the signer.
+    pub fn before(&self, arms: DVec3) -> Landmark {
+        Landmark { offset: self.neutral.offset + (arms - NEUTRAL_PLACE_ARMS) * self.arm_length, ..self.neutral }
+    }
+
     /// The ids of the places of the body that have a landmark, sorted.
     pub fn body_ids(&self) -> impl Iterator<Item = &str> {
         self.body.keys().map(String::as_str)

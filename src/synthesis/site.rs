@@ -39,6 +39,29 @@ impl<'s> Asker<'s> {
     }
 }
 
+/// One hand before the middle of the body is a little to its own side, arm lengths.
+const ONE_HAND_ARMS: f64 = 0.04;
+
+/// The signing space before a region of the body: how far out it is, and how far to the sides; arm lengths from the middle of
+/// the shoulders. Measured on the field's reference engine of HamNoSys (docs/reference.md).
+struct Before {
+    out: f64,
+    at: f64,
+    beside: f64,
+    /// Each of two hands of which no side is said.
+    apart: f64,
+}
+
+/// Where a hand is that is somewhere before a region; `None` where its distance is from the skin.
+fn before_the_body(distance: Distance) -> Option<Before> {
+    match distance {
+        Distance::Close => Some(Before { out: 0.72, at: 0.30, beside: 0.62, apart: 0.19 }),
+        Distance::Unmarked => Some(Before { out: 0.86, at: 0.34, beside: 0.66, apart: 0.27 }),
+        Distance::Extended => Some(Before { out: 1.02, at: 0.38, beside: 0.70, apart: 0.42 }),
+        Distance::Touch | Distance::Neutral | Distance::Metres(_) => None,
+    }
+}
+
 impl Planner<'_> {
     /// Out of the skin where a placement touches the body, model space.
     pub(super) fn outward(&self, placement: &Placement, side: Side) -> Option<DVec3> {
@@ -77,6 +100,21 @@ impl Planner<'_> {
                 let row =
                     self.grammar.locations.get(name).ok_or_else(|| Error::new(format!("no place is called {name}")))?;
                 let both = matches!(sign.hands, Hands::Both(Some(_)));
+                if let (Some(height), Some(space)) = (row.space, before_the_body(placement.distance)) {
+                    let across = match placement.lateral {
+                        Some(Lateral { side, beside: true }) => side.sign() * space.beside,
+                        Some(Lateral { side, beside: false }) => side.sign() * space.at,
+                        None if meeting => 0.0,
+                        None if both => side.sign() * space.apart,
+                        None => side.sign() * ONE_HAND_ARMS,
+                    };
+                    let out = if placement.behind { -space.out } else { space.out };
+                    let anchor = Anchor::over(&landmarks.before(DVec3::new(across, height, out)), 0.0);
+                    return Ok(match placement.offset {
+                        Some((direction, metres)) => anchor.moved(direction.vector() * metres),
+                        None => anchor,
+                    });
+                }
                 // Two hands before the body are a little narrower than the shoulders; on it, each is on its own side.
                 let apart = both && !meeting && placement.lateral.is_none() && !row.paired && !self.touches(placement);
                 let lateral = match apart {

@@ -16,6 +16,12 @@ const NEAR_M: f64 = 0.06;
 /// Whether a placement is at or near the skin, so that what touches matters.
 pub fn touches(placement: &Placement, locations: &LocationInventory) -> bool {
     let distance = match (&placement.place, placement.distance) {
+        // In the signing space before a region the hand is away from the skin.
+        (Place::Body(name), Distance::Close | Distance::Unmarked)
+            if locations.get(name).is_some_and(|row| row.space.is_some()) =>
+        {
+            Distance::Neutral
+        }
         (Place::Body(name), Distance::Unmarked) => match locations.get(name) {
             Some(row) if row.id != "neutral" => row.unmarked,
             _ => Distance::Neutral,
