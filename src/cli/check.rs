@@ -1,8 +1,8 @@
 //! `chereme check`
 
+use super::world::Linking;
 use super::{Failure, Sources, files, terminal, world};
-use crate::diagnostics::{Severity, Source};
-use std::collections::HashMap;
+use crate::diagnostics::Severity;
 use std::path::PathBuf;
 
 #[derive(Debug, clap::Args)]
@@ -17,22 +17,17 @@ pub(super) struct Check {
 
 impl Check {
     pub(super) fn run(&self, sources: &Sources) -> Result<(), Failure> {
-        let vocabulary = world::vocabulary(sources)?;
+        let words = world::words(&world::grammar(sources)?);
         let texts = files::read_all(&self.paths)?;
-        let mut bytes: HashMap<String, _> =
-            texts.iter().filter_map(|t| t.fault.clone().map(|f| (t.source.name.clone(), f))).collect();
-        let texts: Vec<Source> = texts.into_iter().map(|t| t.source).collect();
-        let (_, checked) = world::with_texts(sources, &vocabulary, texts)?;
-        let (mut signs, mut faults, mut warnings) = (0, 0, 0);
-        for text in &checked {
-            let mut all = text.diagnostics.clone();
-            all.extend(bytes.remove(&text.source.name));
-            all.sort_by_key(|d| d.span.start);
-            signs += text.signs;
+        let read = world::read_texts(sources, &words, texts, Linking::Always)?;
+        let (mut faults, mut warnings) = (0, 0);
+        for checkup in &read.checkups {
+            let all = &checkup.diagnostics;
             faults += all.iter().filter(|d| d.severity == Severity::Fault).count();
             warnings += all.iter().filter(|d| d.severity == Severity::Warning).count();
-            terminal::tell(&all, &text.source);
+            terminal::tell(all, &checkup.text.source);
         }
+        let (signs, checked) = (read.signs.len(), &read.checkups);
         if signs == 0 && faults == 0 {
             return Err(Failure::Faults(Some("there is no sign in what was read".to_owned())));
         }

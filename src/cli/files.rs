@@ -2,6 +2,7 @@
 
 use super::Failure;
 use crate::diagnostics::{Diagnostic, Source};
+use crate::notation::formats::Notation;
 use crate::notation::source_of_bytes;
 use std::fs;
 use std::io::Read;
@@ -16,41 +17,76 @@ const DEEPEST: usize = 32;
 pub(super) struct Text {
     /// The text with its name.
     pub source: Source,
+    /// The notation that it is in.
+    pub notation: Notation,
     /// The file; `None` for standard input.
     pub path: Option<PathBuf>,
+    /// The folder that it stands in, as seen from the folder that was asked for; empty for a file that was asked for itself.
+    pub folder: PathBuf,
     /// What is wrong with its bytes.
     pub fault: Option<Diagnostic>,
 }
 
-/// Reads files, folders with their folders, and `-` for standard input.
+/// Reads files, folders with their folders, and `-` for standard input, in any notation.
 pub(super) fn read_all(paths: &[PathBuf]) -> Result<Vec<Text>, Failure> {
+    read_in(paths, &Notation::ALL)
+}
+
+/// Reads files, of folders those in certain notations only, and `-` for standard input.
+pub(super) fn read_in(paths: &[PathBuf], notations: &[Notation]) -> Result<Vec<Text>, Failure> {
     let mut texts = Vec::new();
     for path in paths {
         if path.as_os_str() == "-" {
-            let mut bytes = Vec::new();
-            let read = std::io::stdin().lock().take(LARGEST).read_to_end(&mut bytes);
-            read.map_err(|e| Failure::Faults(Some(format!("standard input: {e}"))))?;
-            let (source, fault) = source_of_bytes("<standard input>", &bytes);
-            texts.push(Text { source, path: None, fault });
+            texts.push(standard_input(None)?);
         } else if path.is_dir() {
-            let mut files = Vec::new();
-            collect(path, 0, &mut files)?;
-            if files.is_empty() {
-                let what = format!("there are no .sign files in `{}`", path.display());
+            let found = read_folder(path, notations)?;
+            if found.is_empty() {
+                let what = format!("there are no .sign files in `{}`, nor other notations of signs", path.display());
                 return Err(Failure::Faults(Some(what)));
             }
-            for file in files {
-                texts.push(read_file(&file)?);
-            }
+            texts.extend(found);
         } else {
-            texts.push(read_file(path)?);
+            let bytes = read_bytes(path)?;
+            let promised = || Notation::of_extension(&path.to_string_lossy());
+            let notation = Notation::of(&path.to_string_lossy(), &bytes).or_else(promised).unwrap_or(Notation::Sign);
+            texts.push(text_of(path, &bytes, notation, PathBuf::new()));
         }
     }
     Ok(texts)
 }
 
-/// The `.sign` files of a folder, by name; hidden ones and links to folders are passed over.
-pub(super) fn collect(folder: &Path, depth: usize, files: &mut Vec<PathBuf>) -> Result<(), Failure> {
+/// What stands on standard input, in a notation or in the one that it seems to be in.
+pub(super) fn standard_input(notation: Option<Notation>) -> Result<Text, Failure> {
+    let mut bytes = Vec::new();
+    let read = std::io::stdin().lock().take(LARGEST).read_to_end(&mut bytes);
+    read.map_err(|e| Failure::Faults(Some(format!("standard input: {e}"))))?;
+    let (source, fault) = source_of_bytes("<standard input>", &bytes);
+    let notation = notation.unwrap_or_else(|| Notation::of_content(&source.text));
+    Ok(Text { source, notation, path: None, folder: PathBuf::new(), fault })
+}
+
+/// The texts of a folder and of its folders that are in certain notations, by name.
+pub(super) fn read_folder(folder: &Path, notations: &[Notation]) -> Result<Vec<Text>, Failure> {
+    let mut files = Vec::new();
+    collect(folder, 0, &mut files)?;
+    let mut texts = Vec::new();
+    for file in files {
+        let bytes = read_bytes(&file)?;
+        if let Some(notation) = Notation::of(&file.to_string_lossy(), &bytes).filter(|n| notations.contains(n)) {
+            let within = file.parent().and_then(|parent| parent.strip_prefix(folder).ok()).map(Path::to_owned);
+            texts.push(text_of(&file, &bytes, notation, within.unwrap_or_default()));
+        }
+    }
+    Ok(texts)
+}
+
+fn text_of(path: &Path, bytes: &[u8], notation: Notation, folder: PathBuf) -> Text {
+    let (source, fault) = source_of_bytes(&path.to_string_lossy(), bytes);
+    Text { source, notation, path: Some(path.to_owned()), folder, fault }
+}
+
+/// The files of a folder that may hold signs, by name; hidden ones and links to folders are passed over.
+fn collect(folder: &Path, depth: usize, files: &mut Vec<PathBuf>) -> Result<(), Failure> {
     let told = |e: std::io::Error| Failure::Usage(format!("{}: {e}", folder.display()));
     let mut paths = Vec::new();
     for entry in fs::read_dir(folder).map_err(told)? {
@@ -66,16 +102,17 @@ pub(super) fn collect(folder: &Path, depth: usize, files: &mut Vec<PathBuf>) -> 
             if depth < DEEPEST && !path.is_symlink() {
                 collect(&path, depth + 1, files)?;
             }
-        } else if path.extension().is_some_and(|e| e.eq_ignore_ascii_case("sign")) {
+        } else if may_hold_signs(&path) {
             files.push(path);
         }
     }
     Ok(())
 }
 
-fn read_file(path: &Path) -> Result<Text, Failure> {
-    let (source, fault) = source_of_bytes(&path.to_string_lossy(), &read_bytes(path)?);
-    Ok(Text { source, path: Some(path.to_owned()), fault })
+/// Whether a file's extension is one of those that signs are kept under.
+fn may_hold_signs(path: &Path) -> bool {
+    Notation::of_extension(&path.to_string_lossy()).is_some()
+        || path.extension().is_some_and(|e| e.eq_ignore_ascii_case("txt"))
 }
 
 /// Reads a file that is not too large.

@@ -2,6 +2,7 @@
 
 use super::files::Text;
 use super::{Failure, files, terminal};
+use crate::notation::formats::Notation;
 use crate::notation::syntax::{Content, File};
 use crate::notation::{parse, print};
 use std::path::PathBuf;
@@ -22,7 +23,11 @@ pub(super) struct Format {
 impl Format {
     pub(super) fn run(&self) -> Result<(), Failure> {
         let (mut faulty, mut changed, mut same) = (0, 0, 0);
-        for text in files::read_all(&self.paths)? {
+        for text in files::read_in(&self.paths, &[Notation::Sign])? {
+            if text.notation != Notation::Sign {
+                let what = format!("{} is {}; fmt lays out .sign texts", text.source.name, text.notation.name());
+                return Err(Failure::Usage(what));
+            }
             let Some(new) = laid_out(&text) else {
                 faulty += 1;
                 continue;

@@ -25,12 +25,12 @@ pub(super) struct List {
 
 impl List {
     pub(super) fn run(&self, sources: &Sources) -> Result<(), Failure> {
-        let vocabulary = world::vocabulary(sources)?;
+        let words = world::words(&world::grammar(sources)?);
         if self.handshapes || self.places || self.nonmanuals {
-            terminal::out(&self.names(&vocabulary));
+            terminal::out(&self.names(&words.vocabulary));
             return Ok(());
         }
-        let lexicon = world::lexicon(sources, &vocabulary)?;
+        let lexicon = world::lexicon(sources, &words)?;
         let mut rows = Vec::new();
         for entry in lexicon.entries() {
             if self.language.as_ref().is_some_and(|l| !l.eq_ignore_ascii_case(&entry.sign.language)) {

@@ -10,9 +10,11 @@ mod format;
 mod gloss;
 mod list;
 mod new;
+mod parallel;
 mod profile;
 mod render;
 mod signs;
+mod template;
 mod terminal;
 mod world;
 

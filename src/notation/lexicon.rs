@@ -5,7 +5,8 @@
 
 mod link;
 
-use super::read::{Reading, read};
+use super::formats::{AnyReading, Notation};
+use super::read::read;
 use super::vocabulary::Vocabulary;
 use crate::diagnostics::{Diagnostic, Error, Source, Span};
 use crate::phonology::LocationInventory;
@@ -36,6 +37,13 @@ pub struct Entry {
     /// What it is made from, where it is made from other signs.
     pub derived: Option<Recombination>,
     span: Span,
+}
+
+impl Entry {
+    /// Where its name stands in its file.
+    pub fn span(&self) -> Span {
+        self.span
+    }
 }
 
 /// A text of a source with its faults.
@@ -106,12 +114,22 @@ impl Lexicon {
     /// assert_eq!(lexicon.find("bol", Some("lsf")).unwrap().sign.name, "BOL");
     /// ```
     pub fn add(&mut self, sources: impl IntoIterator<Item = Source>, vocabulary: &Vocabulary) -> Vec<Checked> {
+        self.add_read(sources.into_iter().map(|source| {
+            let reading = read(&source.text, vocabulary, language_of_path(&source.name)).into();
+            (source, reading)
+        }))
+    }
+
+    /// Adds the files of one source that are read already, whatever their notation, as [`Lexicon::add`] does.
+    ///
+    /// In a `.sign` text a name met before is a fault; elsewhere, where a gloss may well stand twice, the first sign counts and
+    /// the others are not found by name.
+    pub fn add_read(&mut self, texts: impl IntoIterator<Item = (Source, AnyReading)>) -> Vec<Checked> {
         let layer = self.layers;
         self.layers += 1;
         let mut all = Vec::new();
         let mut found = Found::default();
-        for source in sources {
-            let reading = read(&source.text, vocabulary, language_of_path(&source.name));
+        for (source, reading) in texts {
             all.push(take(source, reading, layer, &mut found));
         }
         // The later source replaces, whichever way a sign is described.
@@ -168,6 +186,11 @@ impl Lexicon {
         self.entries.values()
     }
 
+    /// How many sources were added; an entry of the last one has [`Entry::layer`] one less.
+    pub fn layers(&self) -> usize {
+        self.layers
+    }
+
     /// How many signs there are.
     pub fn len(&self) -> usize {
         self.entries.len()
@@ -195,7 +218,7 @@ impl Found {
 }
 
 /// Takes the signs of a file, with a fault for a name met before in the same source.
-fn take(source: Source, reading: Reading, layer: usize, found: &mut Found) -> Checked {
+fn take(source: Source, reading: AnyReading, layer: usize, found: &mut Found) -> Checked {
     let mut diagnostics = reading.diagnostics;
     let mut signs = 0;
     let is_letter = is_alphabet(&source.name);
@@ -215,6 +238,13 @@ fn take(source: Source, reading: Reading, layer: usize, found: &mut Found) -> Ch
         };
         let key = (own.language.to_lowercase(), fold(&own.name));
         if let Some((path, first, there)) = found.first(&key) {
+            match reading.notation {
+                Notation::Sign => {}
+                Notation::HamNoSys | Notation::SiGml | Notation::Table => {
+                    signs += 1;
+                    continue;
+                }
+            }
             let fault = Diagnostic::fault(span, format!("`{}` is described twice", own.name));
             let fault = fault.label("the second").hint(format!("the first is {path}:{first}"));
             diagnostics.push(if path == source.name { fault.related(there, "the first") } else { fault });

@@ -11,6 +11,7 @@
 //! Names of signs are NFC; names are compared without regard to case. This module touches no files.
 
 pub mod explain;
+pub mod formats;
 pub mod gloss;
 pub mod hamnosys;
 mod lex;

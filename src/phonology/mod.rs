@@ -27,6 +27,7 @@ pub mod placement;
 pub mod recombination;
 pub(crate) mod reflection;
 pub mod roll;
+pub mod sampa;
 pub mod sign;
 pub mod symmetry;
 

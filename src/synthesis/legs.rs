@@ -4,8 +4,8 @@
 //! (`together`). Postures change evenly from the key before to the key after; where an action says what it becomes, it
 //! is that action's legs that change them, from stop to stop. Times are those of `grammar/movements.ron`.
 
-pub use super::leg::{FingerOrder, Leg, LegEnd, Stand, Stop, Turn, Wiggle, WristPlay};
 use super::leg::whole;
+pub use super::leg::{FingerOrder, Leg, LegEnd, Stand, Stop, Turn, Wiggle, WristPlay};
 use super::path::Path;
 use super::repeat::Again;
 use super::shape::{duration_of, pace, path_of};

@@ -203,4 +203,3 @@ impl Planner<'_> {
         DVec3::Z * step / 4.0 * if hand == Hand::Strong { 1.0 } else { -1.0 }
     }
 }
-

@@ -38,6 +38,7 @@ mod tiers;
 mod timeline;
 mod together;
 mod vary;
+pub mod verify;
 mod walk;
 mod ways;
 

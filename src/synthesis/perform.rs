@@ -1,8 +1,8 @@
 //! A plan signed: its items laid out in time, strokes written hand by hand, ways between them, face and body.
 
 use super::layout::{Slower, end_place, lay_out, start_place, to_rest};
-use super::plan::HandPlan;
 use super::phased::Phased;
+use super::plan::HandPlan;
 use super::prepare::{Prepared, prepare};
 use super::report::Report;
 use super::schedule::{Measured, Schedule};
@@ -11,7 +11,7 @@ use super::stroke::{Body, Stint, Stroke};
 use super::timeline::Timeline;
 use super::ways::AtRest;
 use super::{Grammar, Options, Performance, clip, tiers};
-use crate::body::signer::Signer;
+use crate::body::signer::{Shoulder, Signer};
 use crate::diagnostics::Error;
 use crate::motion::clip::Frame;
 use crate::motion::pose::LocalPose;
@@ -136,7 +136,7 @@ fn write(
     let count = fps.frame_count(schedule.end);
     let mut poses = vec![stage.neutral.clone(); count];
     let mut weights = vec![vec![0.0f32; stage.signer.morphs.len()]; count];
-    let mut raised = vec![[0.0; 2]; count];
+    let mut raised = vec![[Shoulder::default(); 2]; count];
     if !cues.is_empty() {
         for i in 0..count {
             raised[i] = stage.express(&cues, fps.time_of(FrameIndex(i)).0, &mut poses[i], &mut weights[i]);

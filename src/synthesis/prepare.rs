@@ -1,7 +1,7 @@
 //! The items of a plan made concrete: each sign's hands planned, before anything is timed or written.
 
-use super::plan::{HandPlan, Known, stretch};
 use super::phased::Phased;
+use super::plan::{HandPlan, Known, stretch};
 use super::stage::Stage;
 use super::vary::{Difference, difference};
 use crate::diagnostics::Error;

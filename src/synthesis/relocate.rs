@@ -13,6 +13,7 @@ use super::schedule::Times;
 use super::stage::Stage;
 use super::stroke::{Body, Stint, Stroke};
 use super::timeline::Timeline;
+use crate::body::signer::Shoulder;
 use crate::diagnostics::Error;
 use crate::motion::pose::{LocalPose, ModelPose};
 use crate::phonology::{Place, Placement};
@@ -24,12 +25,7 @@ impl Stage<'_> {
     ///
     /// # Errors
     /// A place that the inventory lacks.
-    pub(super) fn way_to(
-        &self,
-        prepared: &mut Prepared,
-        place: &Place,
-        paths: &[WristPath],
-    ) -> Result<DVec3, Error> {
+    pub(super) fn way_to(&self, prepared: &mut Prepared, place: &Place, paths: &[WristPath]) -> Result<DVec3, Error> {
         let placement = Placement::at(place.clone());
         let target = self.planner().place(&placement, prepared.sign, &mut prepared.known)?;
         let places = || paths.iter().flat_map(|path| &path.places);
@@ -66,7 +62,7 @@ impl Stage<'_> {
         let whole = Seconds(last as f64 / self.options.fps.get());
         let timeline =
             Timeline::new(prepared, 0.0, &Times { stroke: Seconds(0.0), stroke_end: whole, hold_end: whole });
-        let raised = vec![[0.0; 2]; poses.len()];
+        let raised = vec![[Shoulder::default(); 2]; poses.len()];
         for hand in &prepared.hands {
             let stint = Stint { side: hand.side, item: prepared.item, first: 0, last };
             let body = if hand.on_other_hand { Body::Moving } else { Body::Still };

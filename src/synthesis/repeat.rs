@@ -121,11 +121,9 @@ impl Layout<'_> {
     /// From the posture at a performance's end back to the one at its start.
     fn turn_back(&self, performance: &[Leg]) -> Turn {
         match (self.postures, performance.first(), performance.last()) {
-            (Postures::AtStops, Some(first), Some(last)) => Turn {
-                from: last.posture.end().clone(),
-                to: first.posture.from.clone(),
-                share: (0.0, 1.0),
-            },
+            (Postures::AtStops, Some(first), Some(last)) => {
+                Turn { from: last.posture.end().clone(), to: first.posture.from.clone(), share: (0.0, 1.0) }
+            }
             (_, Some(first), Some(last)) => Turn::of_keys(last.posture.share.1, first.posture.share.0),
             (_, None, _) | (_, _, None) => Turn::of_keys(1.0, 0.0),
         }
@@ -139,7 +137,11 @@ fn sized(leg: Leg, size: f64) -> Leg {
     }
     Leg {
         path: Path::Scaled(size, Box::new(leg.path)),
-        wrist: leg.wrist.into_iter().map(|w| super::leg::WristPlay { amplitude: w.amplitude * size.min(1.8), ..w }).collect(),
+        wrist: leg
+            .wrist
+            .into_iter()
+            .map(|w| super::leg::WristPlay { amplitude: w.amplitude * size.min(1.8), ..w })
+            .collect(),
         ..leg
     }
 }

@@ -98,8 +98,7 @@ pub(super) fn path_of(motion: &Motion, table: &MovementTable, behind: bool) -> P
             let start = Clock::new((start.eighths() + half_a_turn) % 8).unwrap_or_default();
             // Many turns that each grew by a third would leave the room.
             let growth = (1.0 + 0.35 * f64::from(growth.signum())).powf((3.0 / turns).min(1.0));
-            let round =
-                Path::Round { top, side, start: TAU * f64::from(start.eighths()) / 8.0, turns, growth };
+            let round = Path::Round { top, side, start: TAU * f64::from(start.eighths()) / 8.0, turns, growth };
             waves_around(round, axis.vector(), turns, overlay, table)
         }
     }

@@ -98,9 +98,7 @@ impl Planner<'_> {
             Place::Body(name) => self.on_body(name, placement, asker)?,
             Place::OtherHand(point) => match instead {
                 None => self.on_other_hand(*point, placement, side)?,
-                Some(Instead::OwnPlace) => {
-                    self.default_place(Asker { meeting: Meeting::Apart, ..asker }, known)?
-                }
+                Some(Instead::OwnPlace) => self.default_place(Asker { meeting: Meeting::Apart, ..asker }, known)?,
                 Some(Instead::Middle) => self.default_place(Asker { meeting: Meeting::Meets, ..asker }, known)?,
             },
             Place::Space(cell) => {
@@ -123,7 +121,8 @@ impl Planner<'_> {
             Place::Referent(name) => match known.referents.get(name) {
                 Some(place) => place.clone(),
                 None => {
-                    known.warn(format!("nothing has been placed at the referent {name} before; neutral space is taken"));
+                    known
+                        .warn(format!("nothing has been placed at the referent {name} before; neutral space is taken"));
                     self.default_place(asker, known)?
                 }
             },

@@ -1,13 +1,14 @@
 //! One hand's stroke and hold, frame by frame: the fingers eased from key to key, the arm solved behind the hand.
 
-use super::path_of_hand::{Instant, instant};
 use super::anchor::Anchor;
 use super::leg::{FingerOrder, LegEnd};
+use super::path_of_hand::{Instant, instant};
 use super::plan::{HandPlan, Riding};
 use super::reach::{ArmFrame, HandTarget, ReachOptions, follow};
 use super::stage::Stage;
 use super::timeline::Timeline;
 use crate::body::landmarks::ContactPoint;
+use crate::body::signer::Shoulder;
 use crate::motion::pose::{LocalPose, ModelPose};
 use crate::motion::short_arc::ShortArc;
 use crate::phonology::Side;
@@ -48,8 +49,8 @@ pub(super) struct Stroke<'s> {
     pub natural: f64,
     /// Whether the body moves under the arm.
     pub body: Body,
-    /// How far both shoulders are raised in each frame of the clip, radians.
-    pub raised: &'s [[f64; 2]],
+    /// How both shoulders are moved in each frame of the clip.
+    pub raised: &'s [[Shoulder; 2]],
 }
 
 impl Stage<'_> {
@@ -128,9 +129,8 @@ impl Stage<'_> {
             for (n, frame) in solved.iter_mut().enumerate() {
                 let model = poses[stint.first + n].to_model(skeleton);
                 let turned = model.rotation(arm.hand).inverse();
-                let offset = instants[n].offset(plan, |point: &ContactPoint| {
-                    turned * (point.position(&model) - model.position(arm.hand))
-                });
+                let offset = instants[n]
+                    .offset(plan, |point: &ContactPoint| turned * (point.position(&model) - model.position(arm.hand)));
                 frame.residual_m = wanted[n].distance(model.point(arm.hand, offset));
             }
         }

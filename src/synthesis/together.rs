@@ -176,7 +176,8 @@ fn turn_along(legs: &mut [Leg], theirs: &Leg, (begin, end): (f64, f64)) {
         let (a, b) = (share(span.0), share(span.1));
         let done = |s: f64| theirs.posture.share.0 + (theirs.posture.share.1 - theirs.posture.share.0) * s;
         if b > 0.0 || a > 0.0 {
-            leg.posture = if a >= 1.0 { Turn::none(theirs.posture.end()) } else { Turn { from, to, share: (done(a), done(b)) } };
+            leg.posture =
+                if a >= 1.0 { Turn::none(theirs.posture.end()) } else { Turn { from, to, share: (done(a), done(b)) } };
             leg.fingers = theirs.fingers;
         }
     }

@@ -184,12 +184,12 @@ impl Planner<'_> {
                 end => (end, DVec3::ZERO),
             };
             let to = match (end, stated) {
-                (LegEnd::At(_) | LegEnd::Displaced | LegEnd::NextKey, Some(anchor)) if site.meeting == Meeting::Meets => {
+                (LegEnd::At(_) | LegEnd::Displaced | LegEnd::NextKey, Some(anchor))
+                    if site.meeting == Meeting::Meets =>
+                {
                     anchor
                 }
-                (LegEnd::At(placement), _) => {
-                    self.anchor(placement, Asker::of(walk.part, Meeting::Apart), known)?
-                }
+                (LegEnd::At(placement), _) => self.anchor(placement, Asker::of(walk.part, Meeting::Apart), known)?,
                 (LegEnd::Meeting(contact), _) => self.meeting_end(walk, contact, displaced(), interval + 1)?,
                 (LegEnd::StartOf(n), _) => walk.legs.get(first + n).map_or_else(displaced, |l| l.from.clone()),
                 (LegEnd::AtKey(key), _) => walk.been.get(*key).cloned().unwrap_or_else(displaced),
@@ -249,7 +249,8 @@ impl Planner<'_> {
         let named = site.named;
         let from = own.first().map_or(walk.with, |c| c.from);
         let to = walk.point(point);
-        let evenly = legs.iter().all(|leg| matches!((&leg.posture.from, &leg.posture.to), (Stand::Before, Stand::After(None))));
+        let evenly =
+            legs.iter().all(|leg| matches!((&leg.posture.from, &leg.posture.to), (Stand::Before, Stand::After(None))));
         if !targets && evenly {
             let all = legs.iter().map(|leg| Change { from, to, share: leg.posture.share });
             own = all.collect();
@@ -257,7 +258,7 @@ impl Planner<'_> {
             *last = Change { from: last.from, to, share: (0.0, 1.0) };
         }
         (walk.with, walk.named) = (to, named);
-                Ok(own)
+        Ok(own)
     }
 
     /// The point with which a hand comes to a place that a movement leads to: the one that is said; where it touches,
@@ -369,7 +370,10 @@ impl Planner<'_> {
         let other = self.signer.arm(side.other()).clavicle;
         let rides = |anchor: &Anchor| anchor.rides_on(other, &self.signer.skeleton);
         let on_other_hand = rides(&walk.start)
-            || walk.legs.iter().any(|l| rides(&l.from) || rides(&l.to) || l.brush.as_ref().is_some_and(|b| rides(&b.0)));
+            || walk
+                .legs
+                .iter()
+                .any(|l| rides(&l.from) || rides(&l.to) || l.brush.as_ref().is_some_and(|b| rides(&b.0)));
         // A hand that touches the body comes from outside; elsewhere it may follow the forearm.
         let on_skin = part.said.placement.iter().any(|(_, p)| self.outward(p, side).is_some());
         let reaches_skin = |leg: &PlacedLeg| match &leg.leg.end {

@@ -53,14 +53,14 @@ fn pair() -> impl Strategy<Value = (Digit, Digit)> {
 
 // Non-manuals -------------------------------------------------------------------------------------------------------
 
-fn tier() -> impl Strategy<Value = Tier> {
+fn tier() -> BoxedStrategy<Tier> {
     use TierKind::*;
     let kind = select(vec![Shoulder, Body, Head, EyeGaze, FacialExpression, Mouthing, Extra]);
     let one = feature().prop_map(Cue::One);
     let cue = one.prop_recursive(3, 8, 3, |inner| {
         prop_oneof![vec(inner.clone(), 0..3).prop_map(Cue::Together), vec(inner, 0..3).prop_map(Cue::Sequence)]
     });
-    (kind, vec(cue, 0..3)).prop_map(|(kind, cues)| Tier { kind, cues })
+    (kind, vec(cue, 0..3)).prop_map(|(kind, cues)| Tier { kind, cues }).boxed()
 }
 
 fn feature() -> impl Strategy<Value = Feature> {
@@ -77,15 +77,15 @@ fn feature() -> impl Strategy<Value = Feature> {
 
 // Postures ----------------------------------------------------------------------------------------------------------
 
-fn phase() -> impl Strategy<Value = Phase> {
+fn phase() -> BoxedStrategy<Phase> {
     let flags = (any::<bool>(), any::<bool>(), any::<bool>(), any::<bool>(), any::<bool>());
     let symmetry = flags.prop_map(|(left_right, up_down, out_in, alternating, non_ipsi)| {
         Hands::Both(Symmetry { left_right, up_down, out_in, alternating, non_ipsi })
     });
     let hands = prop_oneof![Just(Hands::Strong), Just(Hands::Weak), symmetry];
     let body = vec((body_level(), action()).prop_map(|(part, action)| Action::OfBody(part, Box::new(action))), 0..2);
-    (hands, any::<bool>(), body, posture(), of(location()), vec(action(), 0..3)).prop_map(
-        |(hands, holds_over, body, posture, location, actions)| Phase {
+    (hands, any::<bool>(), body, posture(), of(location()), vec(action(), 0..3))
+        .prop_map(|(hands, holds_over, body, posture, location, actions)| Phase {
             hands,
             holds_over,
             body,
@@ -93,8 +93,8 @@ fn phase() -> impl Strategy<Value = Phase> {
             location,
             actions,
             span: Ignored::default(),
-        },
-    )
+        })
+        .boxed()
 }
 
 fn split<T: std::fmt::Debug + Clone>(value: impl Strategy<Value = T> + Clone) -> impl Strategy<Value = Split<T>> {
@@ -105,13 +105,11 @@ fn split<T: std::fmt::Debug + Clone>(value: impl Strategy<Value = T> + Clone) ->
     ]
 }
 
-fn posture() -> impl Strategy<Value = Posture> {
+fn posture() -> BoxedStrategy<Posture> {
     let shape = split(shape().boxed());
-    (of(shape), of(split(fingers().boxed())), of(split(palm().boxed()))).prop_map(|(shape, fingers, palm)| Posture {
-        shape,
-        fingers,
-        palm,
-    })
+    (of(shape), of(split(fingers().boxed())), of(split(palm().boxed())))
+        .prop_map(|(shape, fingers, palm)| Posture { shape, fingers, palm })
+        .boxed()
 }
 
 fn bend() -> impl Strategy<Value = Bend> {
@@ -147,7 +145,7 @@ fn part() -> impl Strategy<Value = FingerPart> {
     select(vec![Tip, Nail, Pad, MidJoint, Base, Side])
 }
 
-fn shape() -> impl Strategy<Value = Shape> {
+fn shape() -> BoxedStrategy<Shape> {
     let fingers = digits(&Digit::FINGERS, 0..=4).prop_flat_map(|fingers| {
         let count = fingers.len();
         (Just(fingers), vec(any::<bool>(), count))
@@ -168,8 +166,8 @@ fn shape() -> impl Strategy<Value = Shape> {
         part().prop_map(ThumbSpecial::At),
     ]);
     let successive = of(select(vec![Successive::TowardPinky, Successive::TowardThumb]));
-    (class(), any::<bool>(), of(class()), fingers, bends, crossings, thumb, successive).prop_map(
-        |(main, approximate, between, fingers, bends, crossings, thumb, successive)| Shape {
+    (class(), any::<bool>(), of(class()), fingers, bends, crossings, thumb, successive)
+        .prop_map(|(main, approximate, between, fingers, bends, crossings, thumb, successive)| Shape {
             main,
             approximate,
             between,
@@ -178,8 +176,8 @@ fn shape() -> impl Strategy<Value = Shape> {
             crossings,
             thumb,
             successive,
-        },
-    )
+        })
+        .boxed()
 }
 
 fn fingers() -> impl Strategy<Value = Fingers> {
@@ -206,14 +204,11 @@ fn flank() -> impl Strategy<Value = (Option<Side>, Option<Face>)> {
     prop_oneof![Just((None, None)), side.prop_map(|side| (Some(side), None)), face.prop_map(|face| (None, Some(face)))]
 }
 
-fn body_level() -> impl Strategy<Value = BodyLevel> {
+fn body_level() -> BoxedStrategy<BodyLevel> {
     let place = select(vec!["head", "chin", "shoulders", "belowstomach", "lowerarm", "elbowinside", "lowereyelid"]);
-    (place, any::<bool>(), flank()).prop_map(|(place, approximate, (side, face))| BodyLevel {
-        place: place.to_owned(),
-        approximate,
-        side,
-        face,
-    })
+    (place, any::<bool>(), flank())
+        .prop_map(|(place, approximate, (side, face))| BodyLevel { place: place.to_owned(), approximate, side, face })
+        .boxed()
 }
 
 fn hand_level() -> impl Strategy<Value = HandLevel> {
@@ -230,40 +225,38 @@ fn hand_level() -> impl Strategy<Value = HandLevel> {
     })
 }
 
-fn hand_levels() -> impl Strategy<Value = HandLevels> {
+fn hand_levels() -> BoxedStrategy<HandLevels> {
     let says = |level: &HandLevel| {
         level.part != HandPlace::Digits(Vec::new(), None) || level.side.is_some() || level.face.is_some()
     };
     let second = hand_level().prop_map(|level| HandLevel { approximate: false, ..level });
     (hand_level(), of(second.prop_filter("a place that is named", says)))
         .prop_map(|(first, between)| HandLevels { first, between })
+        .boxed()
 }
 
 fn contact() -> impl Strategy<Value = Option<Contact>> {
     of(select(vec![Contact::Touch, Contact::Close, Contact::Interlock, Contact::Cross, Contact::ArmExtended]))
 }
 
-fn body_site() -> impl Strategy<Value = Site> {
+fn body_site() -> BoxedStrategy<Site> {
     let second = body_level().prop_map(|level| BodyLevel { approximate: false, ..level });
     let levels = (body_level(), of(second)).prop_map(|(first, between)| BodyLevels { first, between });
-    (of(levels), any::<bool>(), contact(), of(hand_levels())).prop_map(|(level, behind, contact, with)| Site::Body {
-        level,
-        behind,
-        contact,
-        with,
-    })
+    (of(levels), any::<bool>(), contact(), of(hand_levels()))
+        .prop_map(|(level, behind, contact, with)| Site::Body { level, behind, contact, with })
+        .boxed()
 }
 
-fn site() -> impl Strategy<Value = Site> {
+fn site() -> BoxedStrategy<Site> {
     let hand = (hand_levels(), contact(), of(hand_levels())).prop_map(|(level, contact, with)| Site::Hand {
         level,
         contact,
         with,
     });
-    prop_oneof![4 => body_site(), 3 => hand, 1 => text().prop_map(Site::Named)]
+    prop_oneof![4 => body_site(), 3 => hand, 1 => text().prop_map(Site::Named)].boxed()
 }
 
-fn location() -> impl Strategy<Value = Location> {
+fn location() -> BoxedStrategy<Location> {
     let at = prop_oneof![body_site(), text().prop_map(Site::Named)];
     let constellation = (of((hand_levels(), hand_levels())), contact(), of(at))
         .prop_map(|(points, contact, at)| Location::Constellation(Constellation { points, contact, at }));
@@ -272,6 +265,7 @@ fn location() -> impl Strategy<Value = Location> {
         (site(), of(site())).prop_map(|(strong, weak)| Location::Split(Some(strong), weak)),
         constellation,
     ]
+    .boxed()
 }
 
 // Actions -----------------------------------------------------------------------------------------------------------
@@ -293,7 +287,7 @@ fn waves(plane: impl Strategy<Value = Option<Ellipse>>) -> impl Strategy<Value =
     }))
 }
 
-fn motion() -> impl Strategy<Value = Motion> {
+fn motion() -> BoxedStrategy<Motion> {
     let straight = (direction(), size(), of(direction()), of((roll(), size())), waves(of(ellipse())), growth())
         .prop_map(|(direction, size, between, arc, waves, growth)| {
             Motion::Straight(Straight { direction, size, between, arc, waves, growth })
@@ -316,33 +310,37 @@ fn motion() -> impl Strategy<Value = Motion> {
         2 => posture().prop_map(Motion::Replace),
         1 => Just(Motion::Cross),
     ]
+    .boxed()
 }
 
-fn moved() -> impl Strategy<Value = Move> {
+fn moved() -> BoxedStrategy<Move> {
     let flags = vec(prop::bool::weighted(0.2), 6);
-    (motion(), flags, number(), of(site()), of(text())).prop_map(|(motion, flags, speed, brushing, names)| Move {
-        // A change of posture brushes nothing.
-        brushing: brushing.filter(|_| !matches!(motion, Motion::Replace(_))),
-        motion,
-        fast: flags[0],
-        slow: flags[1],
-        tense: flags[2],
-        rest: flags[3],
-        halt: flags[4],
-        bouncing: flags[5],
-        speed,
-        names,
-        span: Ignored::default(),
-    })
+    (motion(), flags, number(), of(site()), of(text()))
+        .prop_map(|(motion, flags, speed, brushing, names)| Move {
+            // A change of posture brushes nothing.
+            brushing: brushing.filter(|_| !matches!(motion, Motion::Replace(_))),
+            motion,
+            fast: flags[0],
+            slow: flags[1],
+            tense: flags[2],
+            rest: flags[3],
+            halt: flags[4],
+            bouncing: flags[5],
+            speed,
+            names,
+            span: Ignored::default(),
+        })
+        .boxed()
 }
 
-fn repetition() -> impl Strategy<Value = Repetition> {
+fn repetition() -> BoxedStrategy<Repetition> {
     use RepetitionKind::*;
     let kind = || select(vec![FromStart, FromStartSeveral, Continue, ContinueSeveral, Reverse, ToFroTo]);
     let shift =
         of((direction(), size(), growth()).prop_map(|(direction, size, growth)| Shift { direction, size, growth }));
     (kind(), of(kind()), any::<bool>(), growth(), shift)
         .prop_map(|(kind, second, approximate, growth, shift)| Repetition { kind, second, approximate, growth, shift })
+        .boxed()
 }
 
 /// A hand of a split motion; one that does nothing is `None`.
@@ -351,9 +349,9 @@ fn hand(action: Option<Action>) -> Option<Box<Action>> {
     action.filter(|action| *action != nothing).map(Box::new)
 }
 
-fn action() -> impl Strategy<Value = Action> {
+fn action() -> BoxedStrategy<Action> {
     let leaf = moved().prop_map(|moved| Action::Move(Box::new(moved)));
-    leaf.prop_recursive(4, 12, 3, |inner| {
+    leaf.prop_recursive(3, 8, 2, |inner| {
         let several = || vec(inner.clone(), 0..3);
         let alternating = |(action, times)| match action {
             Action::Alternating(action, _) => Action::Alternating(action, times),

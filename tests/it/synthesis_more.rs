@@ -200,12 +200,13 @@ fn growing_and_shifted_repetitions() {
 
     let shift = Some(Shift { direction: "left".parse().unwrap(), size: Size::Normal });
     let left = MovementTable::embedded().straight.of(Size::Normal);
-    for (kind, up) in [(RepetitionKind::FromStart, 0.05), (RepetitionKind::ToAndFro, 0.0), (RepetitionKind::Continue, 0.15)] {
+    for (kind, up) in
+        [(RepetitionKind::FromStart, 0.05), (RepetitionKind::ToAndFro, 0.0), (RepetitionKind::Continue, 0.15)]
+    {
         let shifted = Repetition { shift, ..Repetition::new(kind, 3) };
-        for movement in [
-            again(go("up", 0.05), shifted),
-            act(Action { repetition: Some(shifted), ..one(way("up", 0.05)) }),
-        ] {
+        for movement in
+            [again(go("up", 0.05), shifted), act(Action { repetition: Some(shifted), ..one(way("up", 0.05)) })]
+        {
             let end = led(&perform_with(&with(STILL, movement), &fine()), Side::Right);
             assert!((end - DVec3::new(left, up, 0.0)).length() < 4e-3, "{kind:?}: {end}");
         }
@@ -221,7 +222,10 @@ fn growing_and_shifted_repetitions() {
         overlay: None,
     };
     let shifted = Repetition { shift, ..Repetition::new(RepetitionKind::FromStart, 3) };
-    let end = led(&perform_with(&with(STILL, act(Action { repetition: Some(shifted), ..one(circle) })), &fine()), Side::Right);
+    let end = led(
+        &perform_with(&with(STILL, act(Action { repetition: Some(shifted), ..one(circle) })), &fine()),
+        Side::Right,
+    );
     assert!((end - DVec3::X * left).length() < 4e-3, "{end}");
 }
 
@@ -275,10 +279,8 @@ fn repetitions_at_the_same_time_as_a_path_are_carried_along() {
 
 #[test]
 fn becoming_while_a_sequence_goes_on_is_spread_over_it() {
-    let both = Movement::Together(vec![
-        Movement::Sequence(vec![go("left", 0.08), go("up", 0.08)]),
-        act(becomes("fist-s")),
-    ]);
+    let both =
+        Movement::Together(vec![Movement::Sequence(vec![go("left", 0.08), go("up", 0.08)]), act(becomes("fist-s"))]);
     let performance = perform_with(&with(STILL, both), &fine());
     let (first, last) = ends(&performance);
     assert!(off(&performance, last, Side::Right, "fist-s") < 0.02);
@@ -305,9 +307,7 @@ fn bouncing_goes_back_a_little_and_returns() {
 
 #[test]
 fn fingers_change_one_after_the_other() {
-    for (manner, first, last) in
-        [(Manner::TowardPinky, 0usize, 3usize), (Manner::TowardThumb, 3, 0)]
-    {
+    for (manner, first, last) in [(Manner::TowardPinky, 0usize, 3usize), (Manner::TowardThumb, 3, 0)] {
         let change = Action { manner: vec![manner], ..becomes("fist-s") };
         let performance = perform_with(&with(STILL, act(change)), &fine());
         let (start, end) = ends(&performance);
@@ -331,11 +331,8 @@ fn twice_the_pace_is_half_the_time() {
 #[test]
 fn a_brushed_place_is_touched_half_way() {
     let tip = on(Digit::Index, HandPart::Tip);
-    let brushing = Placement {
-        distance: Distance::Touch,
-        with: Some(tip),
-        ..Placement::at(Place::Body("chest".into()))
-    };
+    let brushing =
+        Placement { distance: Distance::Touch, with: Some(tip), ..Placement::at(Place::Body("chest".into())) };
     let text = "sign X\n configuration index\n placement chest, 8cm away, with index tip\n orientation fingers in-left, palm in\n movement hold\n";
     for (text, direction) in [(text.to_owned(), "down"), (text.replace("8cm away", "touch"), "left")] {
         let brushed = Action { brushing: Some(brushing.clone()), ..one(way(direction, 0.1)) };
@@ -343,7 +340,8 @@ fn a_brushed_place_is_touched_half_way() {
         let (first, last) = ends(&performance);
         let chest = world().signer.landmarks.body_place("chest", None).unwrap();
         let half = (first + last) / 2.0;
-        let miss = point(&performance, half, Side::Right, tip).distance(chest.position(&body_at(&performance, Seconds(half))));
+        let miss =
+            point(&performance, half, Side::Right, tip).distance(chest.position(&body_at(&performance, Seconds(half))));
         assert!(miss < 5e-3, "{direction}: {miss}");
         let way = point(&performance, last, Side::Right, tip) - point(&performance, first, Side::Right, tip);
         let wanted = direction.parse::<Direction>().unwrap().vector() * 0.1;
@@ -386,13 +384,8 @@ fn waves_swing_where_they_are_said_to_and_grow() {
     assert!(most(axis, 0.0, 1.0, &circle) > 0.015 && circle.closes());
     let (bulge, chord) = (Heading::Between("up".parse().unwrap(), "left".parse().unwrap()), "out");
     let chord: Direction = chord.parse().unwrap();
-    let arc = Motion::Arc {
-        direction: chord.into(),
-        extent: Extent::Metres(0.2),
-        bulge,
-        depth: Size::Large,
-        overlay: None,
-    };
+    let arc =
+        Motion::Arc { direction: chord.into(), extent: Extent::Metres(0.2), bulge, depth: Size::Large, overlay: None };
     let top = lay_out(&act(one(arc)), &table, Turns::default()).remove(0).path.at(0.5) - DVec3::Z * 0.1;
     assert!(top.normalize().dot(bulge.vector()) > 0.999);
 }
@@ -405,7 +398,11 @@ fn every_point_of_hand_and_arm_is_somewhere() {
     for part in HandPart::all() {
         for flank in flanks() {
             let digits: Vec<Digits> = if part.needs_digit() {
-                Digit::ALL.into_iter().map(|d| Digits::of([d])).chain([Digits::FINGERS, Digits::of(Digit::ALL)]).collect()
+                Digit::ALL
+                    .into_iter()
+                    .map(|d| Digits::of([d]))
+                    .chain([Digits::FINGERS, Digits::of(Digit::ALL)])
+                    .collect()
             } else {
                 vec![Digits::NONE]
             };
@@ -422,7 +419,8 @@ fn every_point_of_hand_and_arm_is_somewhere() {
     }
     let body = chereme::motion::pose::LocalPose::rest(&world().signer.skeleton).to_model(&world().signer.skeleton);
     let at = |p: HandPoint| landmarks.hand_point(Side::Left, p).unwrap().position(&body);
-    let (fingers, thumb) = (HandPoint::new(Digits::FINGERS, HandPart::Tip, None).unwrap(), on(Digit::Thumb, HandPart::Tip));
+    let (fingers, thumb) =
+        (HandPoint::new(Digits::FINGERS, HandPart::Tip, None).unwrap(), on(Digit::Thumb, HandPart::Tip));
     assert!(at(fingers.halfway(thumb)).distance((at(fingers) + at(thumb)) / 2.0) < 1e-9);
 }
 
@@ -441,7 +439,12 @@ fn the_other_arm_is_touched_where_it_is_whether_it_acts_or_not() {
                 sign.strong.orientation = Keys::default();
                 let performance = perform_with(&sign, &fine());
                 let (first, _) = ends(&performance);
-                let miss = point(&performance, first, Side::Right, tip).distance(point(&performance, first, Side::Left, there));
+                let miss = point(&performance, first, Side::Right, tip).distance(point(
+                    &performance,
+                    first,
+                    Side::Left,
+                    there,
+                ));
                 let warned = !performance.report.warnings.is_empty();
                 assert!(miss < 5e-3 || warned, "{there}: {:.1} mm", miss * 1e3);
             }
@@ -451,7 +454,11 @@ fn the_other_arm_is_touched_where_it_is_whether_it_acts_or_not() {
 
 #[test]
 fn two_hands_that_are_on_each_other_are_no_error() {
-    let palm = || Placement { distance: Distance::Touch, with: Some(limb(HandPart::Palm)), ..Placement::at(Place::OtherHand(limb(HandPart::Palm))) };
+    let palm = || Placement {
+        distance: Distance::Touch,
+        with: Some(limb(HandPart::Palm)),
+        ..Placement::at(Place::OtherHand(limb(HandPart::Palm)))
+    };
     let mut mirrored = sign(MIRRORED);
     mirrored.strong.placement = Keys::one(palm());
     mirrored.strong.orientation = Keys::one(Orientation {
@@ -510,7 +517,12 @@ fn contacts_hold_in_all_their_kinds() {
                 sign.contact = Keys::one(Contact { strong: Some(strong), weak: Some(weak), kind });
                 let performance = perform_with(&sign, &fine());
                 let (first, _) = ends(&performance);
-                let gap = point(&performance, first, Side::Right, strong).distance(point(&performance, first, Side::Left, weak));
+                let gap = point(&performance, first, Side::Right, strong).distance(point(
+                    &performance,
+                    first,
+                    Side::Left,
+                    weak,
+                ));
                 assert!((gap - apart).abs() < 5e-3, "{kind:?} {strong} {weak}: {:.1} mm", gap * 1e3);
             }
         }
@@ -538,7 +550,9 @@ fn a_contact_is_reached_by_a_movement() {
             Keys::new(vec![(1, Contact { strong: Some(palm), weak: Some(palm), kind: ContactKind::Touch })]).unwrap();
         let performance = perform_with(&sign, &fine());
         let (first, last) = ends(&performance);
-        let gap = |time: f64| point(&performance, time, Side::Right, palm).distance(point(&performance, time, Side::Left, palm));
+        let gap = |time: f64| {
+            point(&performance, time, Side::Right, palm).distance(point(&performance, time, Side::Left, palm))
+        };
         assert!(gap(last) < 5e-3, "{:.1} mm", gap(last) * 1e3);
         assert!(gap(first) > 0.05);
         // Within an interval it is an action's becoming.
@@ -579,7 +593,8 @@ fn hands_that_move_on_together_stay_together_and_go_as_far_as_they_say() {
     let palm = limb(HandPart::Palm);
     let mut sign = with(BOTH, go("up", 0.1));
     sign.weak.movement = vec![go("up", 0.1)];
-    sign.contact = Keys::one(Contact { strong: Some(palm), weak: Some(limb(HandPart::Back)), kind: ContactKind::Touch });
+    sign.contact =
+        Keys::one(Contact { strong: Some(palm), weak: Some(limb(HandPart::Back)), kind: ContactKind::Touch });
     let performance = perform_with(&sign, &fine());
     for side in [Side::Left, Side::Right] {
         assert!((led(&performance, side) - DVec3::Y * 0.1).length() < 5e-3, "{side:?} {}", led(&performance, side));
@@ -587,9 +602,14 @@ fn hands_that_move_on_together_stay_together_and_go_as_far_as_they_say() {
 }
 
 fn phased() -> Sign {
-    let mut first = sign("sign TWO\n hands both mirrored\n configuration flat\n placement chest, 25cm away\n orientation fingers out, palm down\n movement up 8cm\n brows raised\n");
-    let second = sign("sign X\n configuration index\n placement forehead, touch, with index tip\n movement hold then out 8cm\n");
-    let third = sign("sign X\n hands both mirrored\n configuration fist-s\n placement stomach, 20cm away\n movement down 8cm\n");
+    let mut first = sign(
+        "sign TWO\n hands both mirrored\n configuration flat\n placement chest, 25cm away\n orientation fingers out, palm down\n movement up 8cm\n brows raised\n",
+    );
+    let second =
+        sign("sign X\n configuration index\n placement forehead, touch, with index tip\n movement hold then out 8cm\n");
+    let third = sign(
+        "sign X\n hands both mirrored\n configuration fist-s\n placement stomach, 20cm away\n movement down 8cm\n",
+    );
     first.then = vec![second, third];
     first
 }
@@ -664,11 +684,14 @@ fn phases_in_a_line_are_one_item_of_it() {
     let made = chereme::synthesis::synthesize_plan(&plan, &world.grammar, &world.signer, &Options::default()).unwrap();
     assert_eq!(made.report.items.len(), 3);
     assert_eq!(made.track.tier("RH Gloss").unwrap().values().len(), 3);
-    let plan = Plan { spans: vec![chereme::score::plan::Over {
-        items: 1..2,
-        channel: Channel::Brows,
-        value: NonManual::plain(NonManualValue::Named("raised".into())),
-    }], ..plan };
+    let plan = Plan {
+        spans: vec![chereme::score::plan::Over {
+            items: 1..2,
+            channel: Channel::Brows,
+            value: NonManual::plain(NonManualValue::Named("raised".into())),
+        }],
+        ..plan
+    };
     let made = chereme::synthesis::synthesize_plan(&plan, &world.grammar, &world.signer, &Options::default()).unwrap();
     let brows = made.track.tier("Brows").unwrap().values();
     assert!(brows.iter().any(|v| (v.start, v.end) == (made.report.items[1].stroke, made.report.items[1].hold_end)));
@@ -695,13 +718,18 @@ fn what_a_wrist_cannot_do_is_bounded_in_time_and_speed() {
         for to in &headings {
             for palm in ["up", "left", "out", "right"] {
                 let palm: Heading = palm.parse::<Direction>().unwrap().into();
-                let said = |fingers: &Heading| Orientation { fingers: Some(*fingers), palm: Some(palm), along_path: false };
+                let said =
+                    |fingers: &Heading| Orientation { fingers: Some(*fingers), palm: Some(palm), along_path: false };
                 let mut sign = with(STILL, go("left", 0.2));
                 sign.strong.orientation = Keys::new(vec![(0, said(from)), (1, said(to))]).unwrap();
                 let performance = perform(&sign);
                 let lasts = performance.report.sign_end.0 - performance.report.stroke_start.0;
                 assert!(lasts <= 4.3, "{from} {to}: {lasts:.1} s");
-                assert!(performance.report.wrist_speed <= 3.3, "{from} {to} {palm}: {:.1} m/s", performance.report.wrist_speed);
+                assert!(
+                    performance.report.wrist_speed <= 3.3,
+                    "{from} {to} {palm}: {:.1} m/s",
+                    performance.report.wrist_speed
+                );
             }
         }
     }
@@ -725,7 +753,13 @@ fn nonsense_numbers_are_no_trouble() {
             one(circle(1.0, bad)),
             Action { pace: bad, ..one(way("up", 0.1)) },
             Action { target: Some(Placement::at(Place::Point(DVec3::splat(bad)))), ..one(Motion::Change) },
-            Action { target: Some(Placement { distance: Distance::Metres(bad), ..Placement::at(Place::Body("chest".into())) }), ..one(Motion::Change) },
+            Action {
+                target: Some(Placement {
+                    distance: Distance::Metres(bad),
+                    ..Placement::at(Place::Body("chest".into()))
+                }),
+                ..one(Motion::Change)
+            },
         ];
         for action in actions {
             let performance = perform(&with(STILL, act(action)));

@@ -10,7 +10,6 @@ use crate::format::{bvh, csv};
 use crate::motion::clip::Clip;
 use crate::motion::curve::{Curve, Measure, Profile, Reference, of_clip};
 use crate::motion::point::Point;
-use crate::notation::Vocabulary;
 use crate::phonology::Sign;
 use crate::synthesis::{Options, Performance, synthesize};
 use crate::time::Fps;
@@ -24,15 +23,15 @@ pub(super) fn motions(args: &ProfileArgs, sources: &Sources, wanted: &Wanted) ->
     let mut signs = Vec::new();
     let tables = |what: &str| has_extension(what, "csv");
     let grammar = world::grammar(sources)?;
-    let vocabulary = Vocabulary::of(&grammar.handshapes, &grammar.locations, &grammar.expressions);
-    let mut finder = Finder::new(sources, &vocabulary, args.language.as_deref());
+    let words = world::words(&grammar);
+    let mut finder = Finder::new(sources, &words, args.language.as_deref());
     for what in &args.what {
         if tables(what) {
             motions.push(table(Path::new(what), wanted)?);
         } else if has_extension(what, "bvh") {
             motions.push(recording(Path::new(what), wanted)?);
         } else {
-            signs.extend(finder.find(what)?);
+            signs.extend(finder.find(what)?.into_iter().map(|found| found.sign));
         }
     }
     if finder.faulty {

@@ -1,11 +1,11 @@
 //! What is to be rendered: signs of files, of standard input, of the lexicon by name; gloss lines.
 
-use super::super::signs::Finder;
+use super::super::signs::{Finder, Found};
+use super::super::template::Origin;
 use super::super::{Failure, Sources, gloss};
 use super::Render;
 use crate::format::html::Page;
-use crate::notation::Vocabulary;
-use crate::phonology::Sign;
+use crate::notation::formats::Words;
 use crate::phonology::grammar::fold;
 use crate::phonology::operator::for_left_hander;
 use crate::score::gloss::{Handedness, Reading, Settings};
@@ -23,6 +23,8 @@ pub(super) struct Asked {
     pub plan: Plan,
     /// What a page says of it beside the motion.
     pub page: Page,
+    /// Where it came from.
+    pub origin: Origin,
 }
 
 /// All that a command line asks for, and whether some of its texts had faults.
@@ -31,6 +33,8 @@ pub(super) struct Request {
     pub asked: Vec<Asked>,
     /// Some text had a fault, which is told already; the sound rest is rendered.
     pub faulty: bool,
+    /// How many signs are left out because of a fault.
+    pub refused: usize,
 }
 
 /// Reads what a command line names.
@@ -38,17 +42,17 @@ pub(super) fn request(
     render: &Render,
     sources: &Sources,
     grammar: &Grammar,
-    vocabulary: &Vocabulary,
+    words: &Words,
 ) -> Result<Request, Failure> {
     let mut signs = Vec::new();
     let mut lines = Vec::new();
     let mut faulty = false;
-    let mut finder = Finder::new(sources, vocabulary, render.language.as_deref());
+    let mut finder = Finder::new(sources, words, render.language.as_deref());
     let handedness = if render.left_handed { Handedness::Left } else { Handedness::Right };
     for what in &render.what {
         if let Some(known) = finder.named(what)?.filter(|known| gloss::is_line(what, known)) {
             let settings = Settings { language: render.language.clone(), handedness, ..Settings::default() };
-            let reading = gloss::read_line(what, known, grammar, vocabulary, &settings);
+            let reading = gloss::read_line(what, known, grammar, &words.vocabulary, &settings);
             if reading.has_faults() {
                 faulty = true;
             } else {
@@ -60,37 +64,39 @@ pub(super) fn request(
     }
     faulty |= finder.faulty;
     choose(&mut signs, &render.sign)?;
-    let by_signer = |sign: Sign| match handedness {
-        Handedness::Right => sign,
-        Handedness::Left => for_left_hander(&sign),
+    let by_signer = |found: Found| match handedness {
+        Handedness::Right => found,
+        Handedness::Left => Found { sign: for_left_hander(&found.sign), ..found },
     };
     let mut asked: Vec<Asked> = signs.into_iter().map(by_signer).map(of_sign).collect();
     asked.extend(lines);
-    Ok(Request { asked, faulty })
+    Ok(Request { asked, faulty, refused: finder.refused })
 }
 
 /// A gloss line: its name is the line itself.
 fn of_line(text: &str, reading: Reading) -> Asked {
     let title = text.split_whitespace().collect::<Vec<_>>().join(" ");
-    let name = title.chars().filter(|c| !c.is_control()).take(LONGEST_NAME).collect();
+    let name: String = title.chars().filter(|c| !c.is_control()).take(LONGEST_NAME).collect();
+    let origin = Origin::of_line(&name, &reading.language);
     let facts = vec![("status".to_owned(), "unverified".to_owned())];
-    Asked { name, plan: reading.plan, page: Page { title, language: reading.language, facts } }
+    Asked { name, plan: reading.plan, page: Page { title, language: reading.language, facts }, origin }
 }
 
 /// Keeps the signs of these names; all of them where no name is given.
-fn choose(signs: &mut Vec<Sign>, names: &[String]) -> Result<(), Failure> {
+fn choose(signs: &mut Vec<Found>, names: &[String]) -> Result<(), Failure> {
     if names.is_empty() {
         return Ok(());
     }
     let wanted: Vec<String> = names.iter().map(|n| fold(n)).collect();
-    if let Some(missing) = wanted.iter().position(|w| !signs.iter().any(|s| fold(&s.name) == *w)) {
+    if let Some(missing) = wanted.iter().position(|w| !signs.iter().any(|s| fold(&s.sign.name) == *w)) {
         return Err(Failure::Faults(Some(format!("there is no sign {} in what was read", names[missing]))));
     }
-    signs.retain(|s| wanted.contains(&fold(&s.name)));
+    signs.retain(|s| wanted.contains(&fold(&s.sign.name)));
     Ok(())
 }
 
-fn of_sign(sign: Sign) -> Asked {
+fn of_sign(found: Found) -> Asked {
+    let Found { sign, origin, .. } = found;
     let mut facts: Vec<(String, String)> = Vec::new();
     if !sign.meaning.is_empty() {
         let meanings: Vec<String> =
@@ -102,5 +108,5 @@ fn of_sign(sign: Sign) -> Asked {
     facts.push(("status".into(), status));
     facts.extend(sign.note.iter().map(|n| ("note".into(), n.clone())));
     let page = Page { title: sign.name.clone(), language: sign.language.clone(), facts };
-    Asked { name: sign.name.clone(), plan: Plan::of(sign), page }
+    Asked { name: sign.name.clone(), plan: Plan::of(sign), page, origin }
 }

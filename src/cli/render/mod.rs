@@ -1,5 +1,6 @@
 //! `chereme render`: signs to motion, as pages or files.
 
+mod each;
 mod input;
 mod output;
 
@@ -7,7 +8,6 @@ use super::{Failure, Sources, terminal, world};
 use crate::avatar;
 use crate::diagnostics::Error;
 use crate::motion::easing::Easing;
-use crate::notation::Vocabulary;
 use crate::synthesis::{Options, synthesize_plan};
 use crate::time::Fps;
 use input::Request;
@@ -15,15 +15,23 @@ use output::{Format, Outputs};
 
 #[derive(Debug, clap::Args)]
 #[command(
-    after_help = "Examples:\n  chereme render lexicon/lsf/bol.sign -o bol.html      a page: the avatar signs, open it in a browser\n  chereme render BOL -o bol.html -o bol.glb -o bol.eaf  several outputs at once\n  chereme render lexicon/lsf -o pages/                  one page a sign, into a folder\n  chereme render lexicon/lsf/alphabet.sign --sign A,B -o letters/ --format html,glb\n  chereme render \"BONJOUR, CHIEN BOL@left fs(LSF)\" -o line.html     a gloss line, as one motion\n  chereme render BOL --speed 0.5 --easing minimum-jerk -o slow.html"
+    after_help = "Examples:\n  chereme render lexicon/lsf/bol.sign -o bol.html      a page: the avatar signs, open it in a browser\n  chereme render BOL -o bol.html -o bol.glb -o bol.eaf  several outputs at once\n  chereme render lexicon/lsf -o pages/                  one page a sign, into a folder\n  chereme render lexicon --each -o 'out/{language}/{stem}.bvh' --jobs 4\n                                                        one file a sign, on four cores\n  chereme render lexicon/lsf/alphabet.sign --sign A,B -o letters/ --format html,glb\n  chereme render \"BONJOUR, CHIEN BOL@left fs(LSF)\" -o line.html     a gloss line, as one motion\n  chereme render BOL --speed 0.5 --easing minimum-jerk -o slow.html"
 )]
 pub(super) struct Render {
-    /// Files or folders of signs, names of signs, gloss lines, or - for standard input
+    /// Files or folders of signs (.sign, SiGML, HamNoSys), names of signs, gloss lines, strings of HamNoSys, or - for standard input
     #[arg(value_name = "FILE|NAME|LINE", required = true)]
     what: Vec<String>,
-    /// Where to: a file (.html, .glb, .bvh, .eaf, .csv, .svg), a folder (ending in /) for one file a sign, or - for standard output; repeatable
+    /// Where to: a file (.html, .glb, .bvh, .eaf, .csv, .svg), a folder (ending in /) for one file a sign, a name with {stem} or the
+    /// like for --each, or - for standard output; repeatable
     #[arg(short, long, value_name = "OUT", required = true)]
     output: Vec<String>,
+    /// One file a sign, on all cores: in -o, {stem} is the name of its file, {name} its gloss, {language}, {folder} where its file is
+    /// below the folder asked for, {n} its number in its file. What cannot be signed is told and left out
+    #[arg(long)]
+    each: bool,
+    /// How many cores --each works on; all without it
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
+    jobs: Option<u16>,
     /// Formats written into folders and to standard output
     #[arg(long, value_name = "FORMAT", value_delimiter = ',', default_value = "html")]
     format: Vec<Format>,
@@ -66,9 +74,12 @@ impl Render {
     pub(super) fn run(&self, sources: &Sources) -> Result<(), Failure> {
         let options = self.options()?;
         let grammar = world::grammar(sources)?;
-        let vocabulary = Vocabulary::of(&grammar.handshapes, &grammar.locations, &grammar.expressions);
-        let outputs = Outputs::of(self, &vocabulary)?;
-        let Request { asked, mut faulty } = input::request(self, sources, &grammar, &vocabulary)?;
+        let words = world::words(&grammar);
+        if self.each || self.output.iter().any(|o| o.contains('{')) {
+            return each::run(self, sources, &grammar, &words, &options);
+        }
+        let outputs = Outputs::of(self, &words.vocabulary)?;
+        let Request { asked, mut faulty, .. } = input::request(self, sources, &grammar, &words)?;
         if asked.is_empty() && !faulty {
             return Err(Failure::Faults(Some("there is no sign to render".into())));
         }

@@ -1,5 +1,6 @@
 //! Where what is rendered goes: files, folders with one file a sign, standard output; and as what.
 
+use super::super::template::safe;
 use super::super::{Failure, files, terminal};
 use super::Render;
 use super::input::Asked;
@@ -31,7 +32,7 @@ pub(super) enum Format {
 }
 
 impl Format {
-    fn extension(self) -> &'static str {
+    pub(super) fn extension(self) -> &'static str {
         match self {
             Format::Html => "html",
             Format::Glb => "glb",
@@ -43,7 +44,7 @@ impl Format {
     }
 
     /// The format of a file's name, by its extension.
-    fn of_path(path: &Path) -> Result<Format, Failure> {
+    pub(super) fn of_path(path: &Path) -> Result<Format, Failure> {
         let extension = path.extension().map(|e| e.to_string_lossy().to_lowercase()).unwrap_or_default();
         if extension == "htm" {
             return Ok(Format::Html);
@@ -58,7 +59,7 @@ impl Format {
         })
     }
 
-    fn bytes(self, asked: &Asked, track: &Track, vocabulary: &Vocabulary) -> Result<Vec<u8>, Error> {
+    pub(super) fn bytes(self, asked: &Asked, track: &Track, vocabulary: &Vocabulary) -> Result<Vec<u8>, Error> {
         match self {
             Format::Html => html::write(avatar::GLB, track, &asked.page).map(String::into_bytes),
             Format::Glb => glb::write(avatar::GLB, track),
@@ -122,7 +123,7 @@ impl<'a> Outputs<'a> {
         if asked.len() > 1 && self.targets.iter().any(|t| !matches!(t, Target::Folder(_))) {
             let names: Vec<&str> = asked.iter().take(8).map(|a| a.name.as_str()).collect();
             return Err(Failure::Usage(format!(
-                "{} signs do not go into one file: choose with --sign (there are {}{}), or write into a folder with -o out/",
+                "{} signs do not go into one file: choose with --sign (there are {}{}), one file a sign with -o out/ or --each",
                 asked.len(),
                 names.join(", "),
                 if asked.len() > 8 { ", ..." } else { "" }
@@ -143,7 +144,7 @@ impl<'a> Outputs<'a> {
 
     /// The files that a performance goes to, with their formats.
     fn files(&self, asked: &Asked) -> Vec<(PathBuf, Format)> {
-        let name: String = asked.name.chars().map(|c| if "/\\:*?\"<>|".contains(c) { '_' } else { c }).collect();
+        let name = safe(&asked.name);
         let of_target = |target: &Target| match target {
             Target::File(path, format) => vec![(path.clone(), *format)],
             Target::Folder(folder) => {

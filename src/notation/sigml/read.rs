@@ -8,6 +8,7 @@ mod place;
 mod posture;
 mod reader;
 mod shape;
+mod tokens;
 mod xml;
 
 use super::{scan, words};
@@ -110,7 +111,7 @@ impl<'a> Reader<'a> {
         for child in elements(node) {
             match child.tag_name().name() {
                 "hamnosys_nonmanual" => self.plain_nonmanual(child, &mut sign.nonmanual),
-                "hamnosys_manual" => {}
+                "hamnosys_manual" => self.plain_manual(child, &mut sign.phases),
                 _ => self.unknown_element(child, &["hamnosys_nonmanual", "hamnosys_manual"]),
             }
         }

@@ -10,6 +10,7 @@ mod posture;
 
 use super::{MOST_DEEP, words};
 use crate::diagnostics::Error;
+use crate::notation::hamnosys::print;
 use crate::notation::hamnosys::syntax::{Sign, Timing};
 use element::Element;
 
@@ -64,6 +65,12 @@ fn gestural(sign: &Sign) -> Result<Element, Error> {
 fn plain(sign: &Sign) -> Result<Element, Error> {
     let mut element = opening("hns_sign", sign)?;
     element.children.push(nonmanual::plain(&sign.nonmanual)?);
+    if !sign.phases.is_empty() {
+        let symbols = print::tokens(&sign.phases).map_err(|all| Error::new(all.join("; ")))?;
+        let mut manual = Element::new("hamnosys_manual");
+        manual.children.extend(symbols.iter().map(|symbol| Element::new(symbol.tag())));
+        element.children.push(manual);
+    }
     Ok(element)
 }
 

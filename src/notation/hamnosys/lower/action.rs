@@ -13,8 +13,8 @@ use super::phase::{Phases, splits_action};
 use super::shape::successive;
 use crate::diagnostics::Diagnostic;
 use crate::phonology::{
-    self, Becoming, Clock, Contact, Digits, Direction, Extent, Hand, Heading, Manner, Motion, Movement, Overlay, Placement,
-    Repeated, Repetition, Shift, Size,
+    self, Becoming, Clock, Contact, Digits, Direction, Extent, Hand, Heading, Manner, Motion, Movement, Overlay,
+    Placement, Repeated, Repetition, Shift, Size,
 };
 
 /// Where a movement stands.
@@ -187,7 +187,8 @@ impl Phases<'_> {
                     (None, None) => self.touched(c.contact),
                     (Some(site), _) => self.placement(site, hand),
                     (None, Some((own, other))) => {
-                        let site = syntax::Site::Hand { level: other.clone(), contact: c.contact, with: Some(own.clone()) };
+                        let site =
+                            syntax::Site::Hand { level: other.clone(), contact: c.contact, with: Some(own.clone()) };
                         self.placement(&site, hand)
                     }
                 };
@@ -314,9 +315,7 @@ fn repetition(r: &syntax::Repetition) -> Repetition {
         RepetitionKind::FromStart | RepetitionKind::FromStartSeveral => {
             (phonology::RepetitionKind::FromStart, 1 + times)
         }
-        RepetitionKind::Continue | RepetitionKind::ContinueSeveral => {
-            (phonology::RepetitionKind::Continue, 1 + times)
-        }
+        RepetitionKind::Continue | RepetitionKind::ContinueSeveral => (phonology::RepetitionKind::Continue, 1 + times),
         RepetitionKind::Reverse | RepetitionKind::ToFroTo => (phonology::RepetitionKind::ToAndFro, times),
     };
     let shift = r.shift.map(|s| Shift { direction: s.direction, size: s.size });

@@ -4,7 +4,8 @@ use super::super::dictionary::Dictionary;
 use super::super::syntax::{BodyLevel, BodyLevels, Contact, Face, HandLevel, HandLevels, HandPlace, Shape, Side, Site};
 use super::shape::{acting_fingers, hand_part};
 use crate::phonology::{
-    self, ContactKind, Digits, Distance, Flank, Hand, HandPart, HandPoint, Lateral, LocationKind, Place, Placement, Sited,
+    self, ContactKind, Digits, Distance, Flank, Hand, HandPart, HandPoint, Lateral, LocationKind, Place, Placement,
+    Sited,
 };
 
 /// What a place is read with.
@@ -70,7 +71,9 @@ impl Places<'_> {
                 let flank = flank(level.side, face, self.hand.other());
                 Some((Place::OtherHand(HandPoint::new(Digits::NONE, part, flank)?), None))
             }
-            LocationKind::Digit(digit) => Some((Place::OtherHand(HandPoint::of_digit(digit, HandPart::Midjoint)?), None)),
+            LocationKind::Digit(digit) => {
+                Some((Place::OtherHand(HandPoint::of_digit(digit, HandPart::Midjoint)?), None))
+            }
             LocationKind::Part(_) => None,
         }
     }

@@ -98,9 +98,7 @@ fn tell_unknown(cue: &Cue, dictionary: &Dictionary, diagnostics: &mut Vec<Diagno
             if empty || meaning(feature, dictionary).is_some() {
                 return;
             }
-            let warning = |message: String| {
-                Diagnostic::warning(feature.span.0, message).label("left out")
-            };
+            let warning = |message: String| Diagnostic::warning(feature.span.0, message).label("left out");
             diagnostics.push(match channels(feature.kind) {
                 [] => warning(format!("`{}` is a movement of one avatar only", feature.value)),
                 known => {

@@ -2,7 +2,8 @@
 
 use super::super::dictionary::Dictionary;
 use super::super::syntax::{
-    self, Action, BodyLevel, Constellation, Fingers, HandLevels, Hands, Location, Palm, Phase, Posture, Shape, Site, Split,
+    self, Action, BodyLevel, Constellation, Fingers, HandLevels, Hands, Location, Palm, Phase, Posture, Shape, Site,
+    Split,
 };
 use super::action::{Depth, leaf};
 use super::location::{Places, contact_kind};
@@ -279,7 +280,9 @@ impl Phases<'_> {
         let distance = match contact {
             Some(syntax::Contact::Close) => Distance::Close,
             Some(syntax::Contact::ArmExtended) => Distance::Extended,
-            None | Some(syntax::Contact::Touch | syntax::Contact::Interlock | syntax::Contact::Cross) => Distance::Touch,
+            None | Some(syntax::Contact::Touch | syntax::Contact::Interlock | syntax::Contact::Cross) => {
+                Distance::Touch
+            }
         };
         Some(Placement { distance, ..place })
     }
@@ -419,9 +422,17 @@ fn own_part(strong: &Manual, weak: &Manual, symmetry: Symmetry) -> Manual {
     let mirror = Reflection::of(symmetry).manual(strong);
     let same = |own: bool| own;
     Manual {
-        configuration: if same(weak.configuration == mirror.configuration) { Keys::default() } else { weak.configuration.clone() },
+        configuration: if same(weak.configuration == mirror.configuration) {
+            Keys::default()
+        } else {
+            weak.configuration.clone()
+        },
         placement: if same(weak.placement == mirror.placement) { Keys::default() } else { weak.placement.clone() },
-        orientation: if same(weak.orientation == mirror.orientation) { Keys::default() } else { weak.orientation.clone() },
+        orientation: if same(weak.orientation == mirror.orientation) {
+            Keys::default()
+        } else {
+            weak.orientation.clone()
+        },
         movement: if weak.movement == mirror.movement { Vec::new() } else { weak.movement.clone() },
     }
 }
@@ -434,9 +445,8 @@ fn mirrored_fingers(f: Fingers, mirror: Reflection) -> Fingers {
 fn mirrored_palm(palm: Palm, strong_fingers: Option<Fingers>, mirror: Reflection) -> Palm {
     use super::super::syntax::Facing;
     use crate::phonology::roll::Roll;
-    let about = strong_fingers.map_or(phonology::Direction::OUT.vector(), |f| {
-        super::orientation::heading(f.direction, f.between).vector()
-    });
+    let about = strong_fingers
+        .map_or(phonology::Direction::OUT.vector(), |f| super::orientation::heading(f.direction, f.between).vector());
     let image = mirror.vector(about);
     let one = |facing: Facing| match facing {
         Facing::Roll(roll) => Facing::Roll(Roll::nearest(image, mirror.vector(roll.palm(about)))),
@@ -481,8 +491,12 @@ fn body_value(channel: Channel, action: &Action) -> Option<NonManualValue> {
             | syntax::Motion::Replace(_)
             | syntax::Motion::Cross => None,
         },
-        Action::Repeated(inner, _) | Action::Alternating(inner, _) | Action::Target(inner, _) => body_value(channel, inner),
-        Action::Together(all) | Action::Sequence(all) | Action::Fused(all) => all.first().and_then(|a| body_value(channel, a)),
+        Action::Repeated(inner, _) | Action::Alternating(inner, _) | Action::Target(inner, _) => {
+            body_value(channel, inner)
+        }
+        Action::Together(all) | Action::Sequence(all) | Action::Fused(all) => {
+            all.first().and_then(|a| body_value(channel, a))
+        }
         Action::Split(strong, _) => strong.as_ref().and_then(|a| body_value(channel, a)),
         Action::OfBody(_, inner) => body_value(channel, inner),
     }

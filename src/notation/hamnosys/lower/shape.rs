@@ -1,10 +1,8 @@
 //! Hand shapes: class, thumb, bends and fingers to a named handshape with changes.
 
 use super::super::dictionary::Dictionary;
-use super::super::syntax::{self, BentClass, Bend, FingerList, FingerPart, Shape, ShapeClass, Thumb, ThumbSpecial};
-use crate::phonology::{
-    Between, Configuration, Digit, Digits, HandPart, HandshapeChange, Opening, ThumbPosition,
-};
+use super::super::syntax::{self, Bend, BentClass, FingerList, FingerPart, Shape, ShapeClass, Thumb, ThumbSpecial};
+use crate::phonology::{Between, Configuration, Digit, Digits, HandPart, HandshapeChange, Opening, ThumbPosition};
 
 /// The configuration of a shape: a handshape of the inventory where one is exactly that, else that of the class, changed.
 pub(crate) fn configuration(shape: &Shape, dictionary: &Dictionary) -> Configuration {
@@ -146,9 +144,11 @@ pub(crate) fn acting_fingers(shape: Option<&Shape>) -> Digits {
     let listed = Digits::of(shape.fingers.iter().map(|f| f.finger));
     match shape.main.class {
         _ if !listed.is_empty() && shape.lists() != FingerList::Exempted => listed,
-        ShapeClass::Finger2 | ShapeClass::Pinch12 | ShapeClass::Pinch12Open | ShapeClass::Cee12 | ShapeClass::Cee12Open => {
-            Digits::of([Digit::Index])
-        }
+        ShapeClass::Finger2
+        | ShapeClass::Pinch12
+        | ShapeClass::Pinch12Open
+        | ShapeClass::Cee12
+        | ShapeClass::Cee12Open => Digits::of([Digit::Index]),
         ShapeClass::Finger23 | ShapeClass::Finger23Spread => Digits::of([Digit::Index, Digit::Middle]),
         ShapeClass::Fist | ShapeClass::Flat | ShapeClass::Finger2345 | ShapeClass::PinchAll | ShapeClass::CeeAll => {
             Digits::FINGERS

@@ -97,12 +97,16 @@ impl Parser {
                 return Ok(together(first, bracket));
             }
             if bracket != Bracket::Together {
-                return p.fault("splits what the two hands do, which only `hamparbegin` … `hamparend` can hold", "write one pair of parallel brackets around the two parts");
+                return p.fault(
+                    "splits what the two hands do, which only `hamparbegin` … `hamparend` can hold",
+                    "write one pair of parallel brackets around the two parts",
+                );
             }
             p.next();
             let second = p.actions(Within::Brackets)?;
             if p.peek() == Some(Kind::Plus) {
-                return p.fault("stands here for the second time", "a split has two parts: the strong hand and the weak");
+                return p
+                    .fault("stands here for the second time", "a split has two parts: the strong hand and the weak");
             }
             Ok(Action::Split(side(first), side(second)))
         })
@@ -181,20 +185,27 @@ impl Parser {
         let after_action = !before.is_empty();
         match self.peek() {
             Some(Kind::Repeat(_) | Kind::Alternating) => self.skip("has no movement before it to repeat"),
-            Some(Kind::Size(_) | Kind::Manner(_) | Kind::Growth(_) | Kind::Etc) => self.skip("has no movement before it"),
+            Some(Kind::Size(_) | Kind::Manner(_) | Kind::Growth(_) | Kind::Etc) => {
+                self.skip("has no movement before it")
+            }
             Some(Kind::Thumb(_) | Kind::Bend(_)) => self.skip("has no hand shape before it"),
             Some(Kind::Contact(_) | Kind::Behind | Kind::At | Kind::Beside) => self.skip("has no place beside it"),
             Some(Kind::Relative) => self.skip("has no direction or palm before it"),
             Some(Kind::NonIpsi) => self.skip("belongs after a symmetry"),
             Some(Kind::Brushing) => self.skip("has no movement before it"),
             Some(Kind::Arc(_)) => {
-                return self.fault("bends a straight movement, and none is before it", "write the arrow of the movement first");
+                return self.fault(
+                    "bends a straight movement, and none is before it",
+                    "write the arrow of the movement first",
+                );
             }
             Some(Kind::Clock(_) | Kind::FullTurn) => {
-                return self.fault("says where a circle begins or ends, and no circle is before it", "write the circle first");
+                return self
+                    .fault("says where a circle begins or ends, and no circle is before it", "write the circle first");
             }
             Some(Kind::Wave(_) | Kind::Ellipse(_)) => {
-                return self.fault("says how a movement waves, and no movement is before it", "write the movement first");
+                return self
+                    .fault("says how a movement waves, and no movement is before it", "write the movement first");
             }
             Some(Kind::Between) => {
                 return self.fault(
@@ -203,7 +214,10 @@ impl Parser {
                 );
             }
             Some(Kind::NamesPlace | Kind::NamedPlace) => {
-                return self.fault("names a place by a number, and no finger says the number", "write the finger's symbol before it");
+                return self.fault(
+                    "names a place by a number, and no finger says the number",
+                    "write the finger's symbol before it",
+                );
             }
             _other if after_action => return self.unexpected(&["a movement", "a place", "a repetition", "`hamplus`"]),
             _other => return self.unexpected(&["a hand shape", "a place", "a movement"]),
@@ -253,7 +267,10 @@ fn side(actions: Vec<Action>) -> Option<Box<Action>> {
 fn each_move(action: &mut Action, change: &mut impl FnMut(&mut Move)) {
     match action {
         Action::Move(one) => change(one),
-        Action::Target(inner, _) | Action::Repeated(inner, _) | Action::Alternating(inner, _) | Action::OfBody(_, inner) => {
+        Action::Target(inner, _)
+        | Action::Repeated(inner, _)
+        | Action::Alternating(inner, _)
+        | Action::OfBody(_, inner) => {
             each_move(inner, change);
         }
         Action::Together(actions) | Action::Sequence(actions) | Action::Fused(actions) => {

@@ -84,9 +84,9 @@ impl Choice {
                     let message = "braces around one alternative say nothing";
                     diagnostics.push(Diagnostic::warning(start.to(lexeme.span), message).label("passed over"));
                 }
-                None => diagnostics.push(
-                    Diagnostic::warning(lexeme.span, "this brace closes nothing").label("passed over"),
-                ),
+                None => {
+                    diagnostics.push(Diagnostic::warning(lexeme.span, "this brace closes nothing").label("passed over"))
+                }
             },
             _other => return !self.over && self.open.iter().all(|(_, over)| *over == Over::No),
         }
@@ -201,7 +201,6 @@ fn doubled(kind: Kind) -> bool {
             | Kind::Symmetry(_)
             | Kind::Etc
             | Kind::Between
-            | Kind::Replace
             | Kind::Plus
     )
 }

@@ -23,7 +23,7 @@ pub(super) type Read<T> = Result<T, Stop>;
 
 /// Which hands the sign is of: some symbols mean another thing in signs of two hands.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Handed {
+pub(in crate::notation::hamnosys) enum Handed {
     One,
     Two,
 }
@@ -112,9 +112,7 @@ impl Parser {
     /// Whether what is read ends with parallel brackets that hold no plus.
     pub fn in_unsplit_brackets(&self) -> bool {
         match self.lexemes.get(self.limit).map(|l| l.kind) {
-            Some(Kind::Close(Bracket::Together)) => {
-                self.plus_ahead(self.partner[self.limit] + 1, self.limit).is_none()
-            }
+            Some(Kind::Close(Bracket::Together)) => self.plus_ahead(self.partner[self.limit] + 1, self.limit).is_none(),
             _other => false,
         }
     }

@@ -25,6 +25,11 @@ impl Parser {
         for at in self.at + 1..close {
             let here = match self.kind(at) {
                 Some(kind) if is_motion(kind) => return Holds::Actions,
+                // No motion is a side that does nothing, or a movement of which more is said.
+                Some(Kind::Nothing) if !matches!(self.kind(at + 1), Some(Kind::Plus | Kind::Close(_)) | None) => {
+                    return Holds::Actions;
+                }
+                Some(Kind::Open(_)) if self.body_action_at(at) => return Holds::Actions,
                 Some(Kind::Class(_) | Kind::Fingers(_) | Kind::Palm(_)) => Holds::Postures,
                 Some(
                     Kind::Body(_)
@@ -60,18 +65,24 @@ impl Parser {
 
     /// Whether `seq( bodypart action )` opens here.
     pub(super) fn body_action_ahead(&self) -> bool {
-        let mut steps = match self.ahead(1) {
-            Some(Kind::At | Kind::Beside) => 2,
-            _other => 1,
+        self.body_action_at(self.at)
+    }
+
+    fn body_action_at(&self, open: usize) -> bool {
+        let mut at = match self.kind(open + 1) {
+            Some(Kind::At | Kind::Beside) => open + 2,
+            _other => open + 1,
         };
-        if !matches!(self.peek(), Some(Kind::Open(_))) || !matches!(self.ahead(steps), Some(Kind::Body(_) | Kind::Arm(_))) {
+        if !matches!(self.kind(open), Some(Kind::Open(_)))
+            || !matches!(self.kind(at), Some(Kind::Body(_) | Kind::Arm(_)))
+        {
             return false;
         }
-        steps += 1;
-        while matches!(self.ahead(steps), Some(Kind::At | Kind::Beside | Kind::Etc | Kind::Hand(_))) {
-            steps += 1;
+        at += 1;
+        while matches!(self.kind(at), Some(Kind::At | Kind::Beside | Kind::Etc | Kind::Hand(_))) {
+            at += 1;
         }
-        match self.ahead(steps) {
+        match self.kind(at) {
             Some(Kind::Open(_) | Kind::Nothing) => true,
             Some(kind) => is_motion(kind),
             None => false,

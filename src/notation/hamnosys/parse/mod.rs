@@ -33,6 +33,9 @@ use super::syntax::{Ignored, Phase, Sign};
 use crate::diagnostics::{Diagnostic, Severity, Span};
 use cursor::Parser;
 
+pub(super) use cursor::Handed;
+pub(super) use site::is_point;
+
 /// Reads the symbols of one sign; `end` is where they end, for what is missing there.
 ///
 /// With a fault there are no phases. No symbols at all are a fault too.

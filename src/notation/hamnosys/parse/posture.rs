@@ -107,14 +107,19 @@ impl Parser {
                     self.next();
                     fingers.between = self.finger_direction();
                 }
-                (Some(Kind::Between), Some(Kind::Palm(_) | Kind::Body(_) | Kind::Arrow(_) | Kind::Contact(_)) | None) => {
+                (
+                    Some(Kind::Between),
+                    Some(Kind::Palm(_) | Kind::Body(_) | Kind::Arrow(_) | Kind::Contact(_)) | None,
+                ) => {
                     self.skip("has no second finger direction after it");
                 }
                 (Some(Kind::Fingers(other)), _) if fingers.between.is_none() && near(direction, other) => {
                     self.warn("follows another finger direction: the fingers are read as halfway between the two");
                     fingers.between = self.finger_direction();
                 }
-                (Some(Kind::Fingers(_)), _) if !self.in_unsplit_brackets() => self.skip("is one finger direction too many"),
+                (Some(Kind::Fingers(_)), _) if !self.in_unsplit_brackets() => {
+                    self.skip("is one finger direction too many")
+                }
                 (Some(Kind::Relative), _) => {
                     fingers.relative = true;
                     self.next();
@@ -145,7 +150,10 @@ impl Parser {
                     self.next();
                     palm.between = self.facing();
                 }
-                (Some(Kind::Between), Some(Kind::Fingers(_) | Kind::Body(_) | Kind::Arrow(_) | Kind::Contact(_)) | None) => {
+                (
+                    Some(Kind::Between),
+                    Some(Kind::Fingers(_) | Kind::Body(_) | Kind::Arrow(_) | Kind::Contact(_)) | None,
+                ) => {
                     self.skip("has no second palm after it");
                 }
                 (Some(Kind::Palm(_)), _) if palm.between.is_none() && !self.in_unsplit_brackets() => {
@@ -207,7 +215,10 @@ impl Parser {
             }
             let weak = p.side()?;
             if p.peek() == Some(Kind::Plus) {
-                p.fault::<()>("stands here for the second time", "a split has two parts: the strong hand and the weak")?;
+                p.fault::<()>(
+                    "stands here for the second time",
+                    "a split has two parts: the strong hand and the weak",
+                )?;
             }
             Ok((strong, Some(weak)))
         })

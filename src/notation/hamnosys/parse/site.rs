@@ -28,10 +28,7 @@ impl Parser {
 
     /// Whether a place is some steps on.
     fn place_at(&self, steps: usize) -> bool {
-        matches!(
-            self.ahead(steps),
-            Some(Kind::Body(_) | Kind::Arm(_) | Kind::Hand(_) | Kind::Digit(_) | Kind::Part(_))
-        )
+        matches!(self.ahead(steps), Some(Kind::Body(_) | Kind::Arm(_) | Kind::Hand(_) | Kind::Digit(_) | Kind::Part(_)))
     }
 
     /// Whether a place of body or arm, or neutral space, begins here.
@@ -46,10 +43,7 @@ impl Parser {
     /// Whether `seq( contact … )` or `seq( hand part … )` opens here.
     pub(super) fn contact_group_ahead(&self) -> bool {
         self.opens(Bracket::Sequence)
-            && matches!(
-                self.ahead(1),
-                Some(Kind::Contact(_) | Kind::Hand(_) | Kind::Digit(_) | Kind::Part(_))
-            )
+            && matches!(self.ahead(1), Some(Kind::Contact(_) | Kind::Hand(_) | Kind::Digit(_) | Kind::Part(_)))
     }
 
     /// Reads a site, which is here.
@@ -114,7 +108,9 @@ impl Parser {
                         self.skip("is a second contact at the same place");
                     }
                 }
-                Some(Kind::Open(Bracket::Sequence)) if self.contact_group_ahead() && with_of(site).is_some_and(|w| w.is_none()) => {
+                Some(Kind::Open(Bracket::Sequence))
+                    if self.contact_group_ahead() && with_of(site).is_some_and(|w| w.is_none()) =>
+                {
                     let (contact, hand) = self.contact_group()?;
                     if let Some(of_site) = contact_of(site) {
                         *of_site = Some(contact);
@@ -209,7 +205,9 @@ impl Parser {
         while let (Some(Kind::Contact(_)), false) = (self.peek(), self.body_site_after_contact()) {
             self.skip("is a second contact of the hands");
         }
-        if self.body_site_ahead() || (self.peek().is_some_and(|k| matches!(k, Kind::Digit(_))) && self.ahead(1) == Some(Kind::NamedPlace)) {
+        if self.body_site_ahead()
+            || (self.peek().is_some_and(|k| matches!(k, Kind::Digit(_))) && self.ahead(1) == Some(Kind::NamedPlace))
+        {
             constellation.at = Some(self.site()?);
         }
         Ok(Location::Constellation(constellation))

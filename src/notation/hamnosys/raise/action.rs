@@ -9,9 +9,7 @@ use super::super::syntax::{
 use super::phase::Raising;
 use super::{location, orientation};
 use crate::phonology::roll::Roll;
-use crate::phonology::{
-    self, Becoming, Clock, Direction, Extent, Hand, Heading, Manner, Movement, Overlay, Size,
-};
+use crate::phonology::{self, Becoming, Clock, Direction, Extent, Hand, Heading, Manner, Movement, Overlay, Size};
 
 /// What the key after an interval changes of a hand's posture: the first plain change of the movement takes it.
 pub(super) type Pending = Option<Posture>;
@@ -224,7 +222,9 @@ impl Raising<'_> {
     fn repeated(&mut self, action: Action, r: phonology::Repetition) -> Action {
         use RepetitionKind as Kind;
         let (one, several, again) = match r.kind {
-            phonology::RepetitionKind::FromStart => (Kind::FromStart, Kind::FromStartSeveral, r.times.saturating_sub(1)),
+            phonology::RepetitionKind::FromStart => {
+                (Kind::FromStart, Kind::FromStartSeveral, r.times.saturating_sub(1))
+            }
             phonology::RepetitionKind::Continue => (Kind::Continue, Kind::ContinueSeveral, r.times.saturating_sub(1)),
             phonology::RepetitionKind::ToAndFro => (Kind::Reverse, Kind::ToFroTo, r.times),
         };

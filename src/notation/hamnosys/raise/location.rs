@@ -23,9 +23,7 @@ pub(crate) fn site(placement: &Placement, hand: Hand, dictionary: &Dictionary) -
             Ok(Site::Body { level: Some(BodyLevels { first, between: None }), behind, contact, with })
         }
         Place::OtherHand(_) if behind => Err("HamNoSys has no place behind a hand".to_owned()),
-        Place::OtherHand(point) => {
-            Ok(Site::Hand { level: levels(*point, hand.other(), dictionary)?, contact, with })
-        }
+        Place::OtherHand(point) => Ok(Site::Hand { level: levels(*point, hand.other(), dictionary)?, contact, with }),
         Place::Referent(name) => Ok(Site::Named(name.clone())),
         place => {
             let level = body(place, placement.lateral, hand, dictionary)?;
@@ -72,7 +70,8 @@ fn level(
     let no = |what: &str| Err(format!("HamNoSys has no {what}"));
     match place {
         Place::Body(name) => {
-            let tag = dictionary.place_tag(name).ok_or_else(|| format!("HamNoSys has no symbol for the place `{name}`"))?;
+            let tag =
+                dictionary.place_tag(name).ok_or_else(|| format!("HamNoSys has no symbol for the place `{name}`"))?;
             match (tag, lateral) {
                 ("neutralspace", None) => Ok(None),
                 ("neutralspace", Some(_)) => no("sides of neutral space"),

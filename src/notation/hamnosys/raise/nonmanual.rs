@@ -59,9 +59,7 @@ fn cue(channel: Channel, value: &NonManual, dictionary: &Dictionary, errors: &mu
         NonManualValue::Sequence(values) => return Some(Cue::Sequence(all(values))),
         NonManualValue::Together(values) => return Some(Cue::Together(all(values))),
         NonManualValue::Mouthing(sounds) => (FeatureKind::MouthPicture, Some(sounds.clone())),
-        NonManualValue::Named(name) => {
-            (kinds(channel).1, dictionary.value_tag(channel, name).map(str::to_owned))
-        }
+        NonManualValue::Named(name) => (kinds(channel).1, dictionary.value_tag(channel, name).map(str::to_owned)),
         NonManualValue::Towards(heading) => (kinds(channel).1, toward(channel, heading.vector())),
         NonManualValue::At(_) => (kinds(channel).1, None),
     };
@@ -90,8 +88,20 @@ fn cue(channel: Channel, value: &NonManual, dictionary: &Dictionary, errors: &mu
 
 /// The tag of a head or gaze that turns to a direction.
 fn toward(channel: Channel, d: DVec3) -> Option<String> {
-    let side = if d.x > 0.35 { "L" } else if d.x < -0.35 { "R" } else { "" };
-    let height = if d.y > 0.35 { "U" } else if d.y < -0.35 { "D" } else { "" };
+    let side = if d.x > 0.35 {
+        "L"
+    } else if d.x < -0.35 {
+        "R"
+    } else {
+        ""
+    };
+    let height = if d.y > 0.35 {
+        "U"
+    } else if d.y < -0.35 {
+        "D"
+    } else {
+        ""
+    };
     let tag = match (channel, side, height) {
         (Channel::Gaze, "", "") => "AD",
         (Channel::Gaze, "", "U") => "UP",

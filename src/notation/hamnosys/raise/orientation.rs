@@ -19,9 +19,8 @@ pub(crate) fn palm(o: &Orientation, before: Option<Heading>) -> Option<Palm> {
     let facing = o.palm?;
     let about = o.fingers.or(before).unwrap_or(Heading::Toward(Direction::OUT)).vector();
     let sixteenths = nearest_sixteenth(about, facing.vector());
-    let roll = |eighth: u8| {
-        Roll::all().nth(usize::from(eighth % 8)).map_or(Facing::Toward(Direction::DOWN), Facing::Roll)
-    };
+    let roll =
+        |eighth: u8| Roll::all().nth(usize::from(eighth % 8)).map_or(Facing::Toward(Direction::DOWN), Facing::Roll);
     let facing = roll(sixteenths / 2);
     let between = (sixteenths % 2 == 1).then(|| roll(sixteenths / 2 + 1));
     Some(Palm { facing, between, relative: o.along_path && o.fingers.is_none(), approximate: false })

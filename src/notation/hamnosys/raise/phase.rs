@@ -305,7 +305,9 @@ fn with_change(action: Action, pending: Option<Posture>) -> Action {
 
 /// Whether a hand's tiers say something at a key.
 fn states(own: &Manual, key: usize) -> bool {
-    own.configuration.stated(key).is_some() || own.orientation.stated(key).is_some() || own.placement.stated(key).is_some()
+    own.configuration.stated(key).is_some()
+        || own.orientation.stated(key).is_some()
+        || own.placement.stated(key).is_some()
 }
 
 fn mirror_of(sign: &Sign) -> Option<Reflection> {

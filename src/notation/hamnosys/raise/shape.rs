@@ -18,7 +18,10 @@ pub(crate) fn shape(configuration: &Configuration, dictionary: &Dictionary) -> R
         changed(&mut second, &between.changes)?;
         let plain = Shape { main: second.main, ..Shape::of(second.main.class) } == second;
         if !plain || shape.between.is_some() {
-            return Err(format!("HamNoSys cannot write a hand halfway to `{}`: it is more than a class", between.second));
+            return Err(format!(
+                "HamNoSys cannot write a hand halfway to `{}`: it is more than a class",
+                between.second
+            ));
         }
         shape.between = Some(second.main);
     }
@@ -66,7 +69,10 @@ fn thumb(shape: &mut Shape, position: ThumbPosition) -> Result<(), String> {
             shape.main.thumb
         }
     };
-    if position != ThumbPosition::Enclosed && opens(shape.main.class) && matches!(thumb, Some(Thumb::Across | Thumb::Open)) {
+    if position != ThumbPosition::Enclosed
+        && opens(shape.main.class)
+        && matches!(thumb, Some(Thumb::Across | Thumb::Open))
+    {
         return Err(format!("`thumb {}` of a C would say how open it is", position.name()));
     }
     shape.main.thumb = thumb;
@@ -119,8 +125,12 @@ fn listed(shape: &mut Shape, digits: Digits) -> Result<(), String> {
     let takes = match shape.main.class {
         ShapeClass::Finger2 => fingers.len() == 1,
         ShapeClass::Finger23 | ShapeClass::Finger23Spread => fingers.len() >= 2,
-        ShapeClass::Pinch12 | ShapeClass::Pinch12Open | ShapeClass::Cee12 | ShapeClass::Cee12Open => !fingers.is_empty(),
-        ShapeClass::Fist | ShapeClass::Flat | ShapeClass::Finger2345 | ShapeClass::PinchAll | ShapeClass::CeeAll => false,
+        ShapeClass::Pinch12 | ShapeClass::Pinch12Open | ShapeClass::Cee12 | ShapeClass::Cee12Open => {
+            !fingers.is_empty()
+        }
+        ShapeClass::Fist | ShapeClass::Flat | ShapeClass::Finger2345 | ShapeClass::PinchAll | ShapeClass::CeeAll => {
+            false
+        }
     };
     if !takes || digits.contains(Digit::Thumb) {
         return Err("HamNoSys cannot name these fingers for this hand shape".to_owned());

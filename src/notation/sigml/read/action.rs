@@ -267,6 +267,8 @@ impl Manner {
     /// Says a manner of every motion in an action.
     fn spread(&self, action: &mut Action) {
         match action {
+            // A hand that does nothing does it in no manner.
+            Action::Move(moved) if moved.motion == Motion::Nothing => {}
             Action::Move(moved) => self.apply(moved),
             Action::Together(all) | Action::Sequence(all) | Action::Fused(all) => {
                 all.iter_mut().for_each(|action| self.spread(action));

@@ -173,7 +173,8 @@ impl<'a> Reader<'a> {
         match direction(attr.value) {
             Some(Pointed::One(toward)) => Some(Facing::Toward(toward)),
             Some(Pointed::Halfway(..)) | None => {
-                self.no_value(attr, "a palm", Roll::TAGS.into_iter());
+                let known = Roll::TAGS.into_iter().chain(["directions of space such as `il`"]);
+                self.no_value(attr, "a palm", known);
                 None
             }
         }

@@ -75,8 +75,9 @@ impl<'a> Reader<'a> {
         Reader { told: Vec::new(), untold: 0, faults: 0, signs: 0, place: Place::Outside }
     }
 
-    /// Everything said.
+    /// Everything said, in the order of the text.
     pub fn told(mut self) -> Vec<Diagnostic> {
+        self.told.sort_by_key(|told| told.span.start);
         if self.untold > 0 {
             let message = format!("{} more faults and warnings of this file are not shown", self.untold);
             self.told.push(Diagnostic::warning(Span::default(), message).label("in this file"));
@@ -110,6 +111,12 @@ impl<'a> Reader<'a> {
         }
     }
 
+    /// Keeps what another reader said, named after the sign.
+    pub fn adopt(&mut self, told: Diagnostic) {
+        let message = self.named(&told.message);
+        self.say(Diagnostic { message, ..told });
+    }
+
     /// A fault, named after its sign.
     pub fn fault(&self, span: Span, message: &str) -> Diagnostic {
         Diagnostic::fault(span, self.named(message))
@@ -136,7 +143,9 @@ impl<'a> Reader<'a> {
             value => format!("`{}` is not {what}", short(value)),
         };
         let mut fault = self.fault(attr.span, &message).label(format!("expected {what}"));
-        if let Some(near) = nearest(attr.value, known.iter().copied()) {
+        // Words of one or two letters are all near each other.
+        let near = nearest(attr.value, known.iter().copied()).filter(|_| attr.value.len() > 2);
+        if let Some(near) = near {
             fault = fault.hint(format!("did you mean `{near}`?"));
         }
         self.say(fault.hint(format!("what may stand here: {}", known.join(", "))));
@@ -220,9 +229,12 @@ impl<'a> Reader<'a> {
     /// Text between elements says nothing.
     pub fn no_text(&mut self, node: Node<'a>) {
         for child in node.children().filter(Node::is_text) {
-            let text = child.text().unwrap_or_default();
+            let range = child.range();
+            let text = child.document().input_text().get(range.clone()).unwrap_or_default();
             if !text.trim().is_empty() {
-                let told = self.warning(child.range().into(), "text between elements is passed over");
+                let start = range.start + text.len() - text.trim_start().len();
+                let span = Span::new(start, start + text.trim().len());
+                let told = self.warning(span, "text between elements is passed over");
                 self.say(told.label("not read"));
             }
         }

@@ -38,6 +38,11 @@ pub(super) fn fault(error: &Error, text: &str) -> Diagnostic {
         Error::NonXmlChar(c, _) => {
             told(&format!("U+{:04X} may not stand in XML", u32::from(*c))).label("this character")
         }
+        Error::InvalidChar(..) | Error::InvalidChar2(..) => {
+            told(&format!("this is not well-formed XML: {}", without_place(&error.to_string())))
+                .label("here")
+                .hint("is a quotation mark, a `/` or a `>` missing before?")
+        }
         other => told(&format!("this is not well-formed XML: {}", without_place(&other.to_string()))).label("here"),
     }
 }

@@ -1,0 +1,151 @@
+//! What hands touch at the keys, measured between landmarks of the posed body.
+
+use super::Checking;
+use super::finding::{Finding, Kind};
+use super::key::Key;
+use crate::body::landmarks::ContactPoint;
+use crate::phonology::operator::touches;
+use crate::phonology::symmetry::resolve;
+use crate::phonology::{
+    Configuration, Contact, ContactKind, Distance, Hand, HandPoint, Keys, Lateral, Movement, Place, Placement, Side,
+};
+use glam::DVec3;
+
+/// How far a contact point may be from its place, metres.
+const OFF: f64 = 0.01;
+/// How far a measured distance may differ from what the report admits and still be the same, metres: the instant of a key lies between
+/// two frames.
+const SAME: f64 = 3e-3;
+/// Points that are `close` to each other on two hands, arm lengths apart.
+const HANDS_CLOSE_ARMS: f64 = 0.06;
+
+impl Checking<'_> {
+    /// Contact points that are away from what the key says they touch.
+    pub(super) fn contacts(&self, key: &Key) -> Vec<Finding> {
+        // The whole sign is elsewhere than its tiers say.
+        if key.phase.relocated.is_some() {
+            return Vec::new();
+        }
+        let measured = match key.phase.contact.stated(key.number) {
+            // Measured once, not from both sides.
+            Some(contact) if key.hand == Hand::Strong => {
+                self.between_hands(contact, key).map(|off| (off, "the other hand".to_owned()))
+            }
+            Some(_) => None,
+            None => placement(key).and_then(|p| self.at_place(p, key).map(|off| (off, name_of(&p.place)))),
+        };
+        let Some((measured, place)) = measured.filter(|(off, _)| *off > OFF) else { return Vec::new() };
+        let admitted = measured <= self.performance.report.residual_m + SAME;
+        vec![Finding {
+            kind: if admitted { Kind::OutOfReach } else { Kind::Contact },
+            side: Some(key.side),
+            time: key.time,
+            measured,
+            bound: OFF,
+            what: format!("from {place} {}", key.name()),
+        }]
+    }
+
+    /// How far the hands' points are from being as far apart as a contact says, metres; `None` where it says nothing that points tell.
+    fn between_hands(&self, contact: &Contact, key: &Key) -> Option<f64> {
+        let apart = match contact.kind {
+            ContactKind::Touch => 0.0,
+            ContactKind::Close => HANDS_CLOSE_ARMS * self.signer.landmarks.arm_length(),
+            ContactKind::Metres(metres) => metres,
+            ContactKind::Crossed | ContactKind::Interlocked => return None,
+        };
+        let weak = resolve(key.phase, Hand::Weak);
+        let strong = self.point(contact.strong, &key.said.configuration, key, key.side)?;
+        let weak = self.point(contact.weak, &weak.configuration, key, key.side.other())?;
+        Some((strong.position(&key.body).distance(weak.position(&key.body)) - apart).abs())
+    }
+
+    /// How far a hand is from its place, metres; `None` where it touches nothing there.
+    fn at_place(&self, placement: &Placement, key: &Key) -> Option<f64> {
+        if !touches(placement, &self.grammar.locations) {
+            return None;
+        }
+        let own = self.point(placement.with, &key.said.configuration, key, key.side)?.position(&key.body);
+        let moved = placement.offset.map_or(DVec3::ZERO, |(direction, metres)| direction.vector() * metres);
+        let away = self.targets(placement, key).into_iter().map(|target| own.distance(target + moved));
+        away.min_by(f64::total_cmp)
+    }
+
+    /// Where the place is in the body's pose; several where the description leaves its side open.
+    fn targets(&self, placement: &Placement, key: &Key) -> Vec<DVec3> {
+        let landmarks = &self.signer.landmarks;
+        let metres = |unmarked: Distance, from: (DVec3, DVec3)| {
+            let shoulder = key.body.position(landmarks.shoulder(key.side));
+            let metres = landmarks.metres(placement.distance, unmarked, from, shoulder, landmarks.arm_length());
+            if placement.behind { -landmarks.hand_length() - metres } else { metres }
+        };
+        match &placement.place {
+            Place::Body(name) => {
+                let Some(row) = self.grammar.locations.get(name) else { return Vec::new() };
+                let sides = [Side::Left, Side::Right].map(|side| Some(Lateral { side, beside: false }));
+                let laterals = match placement.lateral {
+                    Some(lateral) => vec![Some(lateral)],
+                    None => [None].into_iter().chain(sides).collect(),
+                };
+                let found = laterals.into_iter().filter_map(|lateral| landmarks.body_place(&row.id, lateral).ok());
+                let over = |(point, out): (DVec3, DVec3)| point + out * metres(row.unmarked, (point, out));
+                found.map(|landmark| over((landmark.position(&key.body), landmark.normal(&key.body)))).collect()
+            }
+            Place::OtherHand(point) => {
+                let Ok(point) = landmarks.hand_point(key.side.other(), *point) else { return Vec::new() };
+                let (at, out) = (point.position(&key.body), point.normal(&key.body));
+                vec![at + out * metres(Distance::Touch, (at, out))]
+            }
+            Place::Space(_) | Place::Point(_) | Place::Between(..) | Place::Referent(_) | Place::Towards(_) => {
+                Vec::new()
+            }
+        }
+    }
+
+    /// The point of a hand that is said, else the one that its shape touches with.
+    fn point(
+        &self,
+        said: Option<HandPoint>,
+        shape: &Keys<Configuration>,
+        key: &Key,
+        side: Side,
+    ) -> Option<ContactPoint> {
+        let unsaid = Configuration::named("rest");
+        let shape = shape.at(key.number).unwrap_or(&unsaid);
+        let point = match said {
+            Some(point) => point,
+            None => self.grammar.touches_with(shape, key.phase).ok()?,
+        };
+        self.signer.landmarks.hand_point(side, point).ok()
+    }
+}
+
+/// Where the hand is at a key: as the key says, else as the movement that ends there does.
+fn placement<'k>(key: &'k Key) -> Option<&'k Placement> {
+    let led = || key.number.checked_sub(1).and_then(|interval| key.said.movement.get(interval)).and_then(leads_to);
+    key.said.placement.stated(key.number).or_else(led)
+}
+
+/// The place that a movement ends at, where it says so.
+fn leads_to(movement: &Movement) -> Option<&Placement> {
+    match movement {
+        Movement::Action(action) if action.repetition.is_none() => action.target.as_ref(),
+        Movement::Sequence(parts) => parts.last().and_then(leads_to),
+        Movement::Action(_)
+        | Movement::Together(_)
+        | Movement::Fused(_)
+        | Movement::Repeated(_)
+        | Movement::Backwards(_) => None,
+    }
+}
+
+fn name_of(place: &Place) -> String {
+    match place {
+        Place::Body(name) => name.clone(),
+        Place::OtherHand(_) => "the other hand".into(),
+        Place::Space(_) | Place::Point(_) => "a place in space".into(),
+        Place::Between(..) => "between two places".into(),
+        Place::Referent(name) => name.clone(),
+        Place::Towards(_) => "what it points at".into(),
+    }
+}
