@@ -36,7 +36,12 @@ impl Anchor {
 
     /// The same anchor moved by a vector of model space.
     pub fn moved(self, by: DVec3) -> Anchor {
-        if by == DVec3::ZERO { self } else { Anchor::Moved(Box::new(self), by) }
+        match self {
+            anchor if by == DVec3::ZERO => anchor,
+            // One vector, however many legs lead there.
+            Anchor::Moved(anchor, before) => Anchor::Moved(anchor, before + by),
+            anchor => Anchor::Moved(Box::new(anchor), by),
+        }
     }
 
     /// Where it is in a pose, model space, metres.

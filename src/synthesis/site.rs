@@ -92,41 +92,10 @@ impl Planner<'_> {
 
     /// Where a placement is.
     pub(super) fn anchor(&self, placement: &Placement, asker: Asker, known: &mut Known) -> Result<Anchor, Error> {
-        let Asker { sign, side, instead, .. } = asker;
-        let meeting = asker.meeting == Meeting::Meets;
+        let Asker { side, instead, .. } = asker;
         let landmarks = &self.signer.landmarks;
         let anchor = match &placement.place {
-            Place::Body(name) => {
-                let row =
-                    self.grammar.locations.get(name).ok_or_else(|| Error::new(format!("no place is called {name}")))?;
-                let both = matches!(sign.hands, Hands::Both(Some(_)));
-                if let (Some(height), Some(space)) = (row.space, before_the_body(placement.distance)) {
-                    let across = match placement.lateral {
-                        Some(Lateral { side, beside: true }) => side.sign() * space.beside,
-                        Some(Lateral { side, beside: false }) => side.sign() * space.at,
-                        None if meeting => 0.0,
-                        None if both => side.sign() * space.apart,
-                        None => side.sign() * ONE_HAND_ARMS,
-                    };
-                    let out = if placement.behind { -space.out } else { space.out };
-                    let anchor = Anchor::over(&landmarks.before(DVec3::new(across, height, out)), 0.0);
-                    return Ok(match placement.offset {
-                        Some((direction, metres)) => anchor.moved(direction.vector() * metres),
-                        None => anchor,
-                    });
-                }
-                // Two hands before the body are a little narrower than the shoulders; on it, each is on its own side.
-                let apart = both && !meeting && placement.lateral.is_none() && !row.paired && !self.touches(placement);
-                let lateral = match apart {
-                    true => None,
-                    false => placement.lateral.or_else(|| self.unsaid_side(sign, side, row.paired, &row.id, meeting)),
-                };
-                let landmark = landmarks.body_place(&row.id, lateral)?;
-                let from = (landmark.position(self.neutral), landmark.normal(self.neutral));
-                let own_side =
-                    DVec3::X * side.sign() * if apart { HANDS_APART_ARMS * landmarks.arm_length() } else { 0.0 };
-                Anchor::over(&landmark, self.metres(placement, side, row.unmarked, from)).moved(own_side)
-            }
+            Place::Body(name) => self.on_body(name, placement, asker)?,
             Place::OtherHand(point) => match instead {
                 None => self.on_other_hand(*point, placement, side)?,
                 Some(Instead::OwnPlace) => self.default_place(Asker { meeting: Meeting::Apart, ..asker }, known)?,
@@ -171,6 +140,36 @@ impl Planner<'_> {
             Some((direction, metres)) => anchor.moved(direction.vector() * within(metres, 0.0, FARTHEST_M, 0.0)),
             None => anchor,
         })
+    }
+
+    /// A placement at a named place of the body, or in the signing space before it.
+    fn on_body(&self, name: &str, placement: &Placement, asker: Asker) -> Result<Anchor, Error> {
+        let Asker { sign, side, .. } = asker;
+        let meeting = asker.meeting == Meeting::Meets;
+        let landmarks = &self.signer.landmarks;
+        let row = self.grammar.locations.get(name).ok_or_else(|| Error::new(format!("no place is called {name}")))?;
+        let both = matches!(sign.hands, Hands::Both(Some(_)));
+        if let (Some(height), Some(space)) = (row.space, before_the_body(placement.distance)) {
+            let across = match placement.lateral {
+                Some(Lateral { side, beside: true }) => side.sign() * space.beside,
+                Some(Lateral { side, beside: false }) => side.sign() * space.at,
+                None if meeting => 0.0,
+                None if both => side.sign() * space.apart,
+                None => side.sign() * ONE_HAND_ARMS,
+            };
+            let out = if placement.behind { -space.out } else { space.out };
+            return Ok(Anchor::over(&landmarks.before(DVec3::new(across, height, out)), 0.0));
+        }
+        // Two hands before the body are a little narrower than the shoulders; on it, each is on its own side.
+        let apart = both && !meeting && placement.lateral.is_none() && !row.paired && !self.touches(placement);
+        let lateral = match apart {
+            true => None,
+            false => placement.lateral.or_else(|| self.unsaid_side(sign, side, row.paired, &row.id, meeting)),
+        };
+        let landmark = landmarks.body_place(&row.id, lateral)?;
+        let from = (landmark.position(self.neutral), landmark.normal(self.neutral));
+        let own_side = DVec3::X * side.sign() * if apart { HANDS_APART_ARMS * landmarks.arm_length() } else { 0.0 };
+        Ok(Anchor::over(&landmark, self.metres(placement, side, row.unmarked, from)).moved(own_side))
     }
 
     /// How far along its normal a placement is from its place, metres.

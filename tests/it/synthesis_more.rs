@@ -105,7 +105,10 @@ fn a_hand_becomes_what_a_movement_within_an_interval_says() {
     let parts = vec![go("up", 0.06), act(becomes("fist-s")), go("right", 0.06), act(becomes("5")), go("down", 0.06)];
     let performance = perform_with(&with(STILL, Movement::Sequence(parts)), &fine());
     let (first, last) = ends(&performance);
-    let legs = [0.06, 0.0, 0.06, 0.0, 0.06].map(|m: f64| if m > 0.0 { 0.32 * 0.5f64.powf(0.4) } else { 0.32 });
+    let table = MovementTable::embedded();
+    let timing = &table.timing;
+    let length = |m: f64| timing.move_time * (m / table.straight.of(Size::Normal)).powf(timing.length_exponent);
+    let legs = [0.06, 0.0, 0.06, 0.0, 0.06].map(|m| if m > 0.0 { length(m) } else { timing.change });
     let whole: f64 = legs.iter().sum();
     let mut at = first;
     for (leg, shape) in legs.iter().zip(["flat", "fist-s", "fist-s", "5", "5"]) {
@@ -779,9 +782,7 @@ proptest! {
     /// Whatever the model holds becomes finite motion of a bounded length, with phases too; only unknown names, and
     /// times that nobody could keep, are refused.
     #[test]
-    fn any_sign_is_signed(sign in strategies::sign(Words::known()), more in proptest::collection::vec(strategies::sign(Words::known()), 0..2)) {
-        let mut sign = sign;
-        sign.then = more;
+    fn any_sign_is_signed(sign in strategies::sign(Words::known())) {
         let world = world();
         let options = Options { fps: Fps::new(20.0).unwrap(), ..Options::default() };
         match synthesize(&sign, &world.grammar, &world.signer, &options) {
