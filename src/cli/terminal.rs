@@ -22,15 +22,20 @@ pub(super) fn err(text: &str) {
     let _ = std::io::stderr().lock().write_all(text.as_bytes());
 }
 
-/// Prints a text's faults to standard error, in colour on a terminal unless NO_COLOR is set.
+/// Prints a text's faults to standard error, in colour on a terminal unless NO_COLOR is set; the first hundred.
 pub(super) fn tell(diagnostics: &[Diagnostic], source: &Source) {
-    let plain = std::env::var_os("NO_COLOR").is_some_and(|v| !v.is_empty());
-    let colour = std::io::stderr().is_terminal() && !plain;
-    for diagnostic in diagnostics.iter().take(MOST_TOLD) {
-        err(&format!("{}\n\n", render(diagnostic, source, colour)));
-    }
+    tell_all(&diagnostics[..diagnostics.len().min(MOST_TOLD)], source);
     if let Some(more) = diagnostics.len().checked_sub(MOST_TOLD).filter(|n| *n > 0) {
         err(&format!("{}: {} not shown\n\n", source.name, count(more, "further fault")));
+    }
+}
+
+/// Prints faults to standard error, all of them.
+pub(super) fn tell_all(diagnostics: &[Diagnostic], source: &Source) {
+    let plain = std::env::var_os("NO_COLOR").is_some_and(|v| !v.is_empty());
+    let colour = std::io::stderr().is_terminal() && !plain;
+    for diagnostic in diagnostics {
+        err(&format!("{}\n\n", render(diagnostic, source, colour)));
     }
 }
 

@@ -7,7 +7,8 @@ use crate::body::landmarks::ContactPoint;
 use crate::phonology::operator::touches;
 use crate::phonology::symmetry::resolve;
 use crate::phonology::{
-    Configuration, Contact, ContactKind, Distance, Hand, HandPoint, Keys, Lateral, Movement, Place, Placement, Side,
+    Configuration, Contact, ContactKind, Distance, Hand, HandPart, HandPoint, Keys, Lateral, Movement, Place,
+    Placement, Side,
 };
 use glam::DVec3;
 
@@ -65,10 +66,25 @@ impl Checking<'_> {
         if !touches(placement, &self.grammar.locations) {
             return None;
         }
-        let own = self.point(placement.with, &key.said.configuration, key, key.side)?.position(&key.body);
         let moved = placement.offset.map_or(DVec3::ZERO, |(direction, metres)| direction.vector() * metres);
-        let away = self.targets(placement, key).into_iter().map(|target| own.distance(target + moved));
+        let targets = self.targets(placement, key);
+        let own = self.own_points(placement, key).into_iter().map(|point| point.position(&key.body));
+        let away = own.flat_map(|own| targets.iter().map(move |target| own.distance(*target + moved)));
         away.min_by(f64::total_cmp)
+    }
+
+    /// The points of the hand that may be meant to be at a place: the one that is said; else the one that its shape touches with, or
+    /// where a movement leads there the one that it began with.
+    fn own_points(&self, placement: &Placement, key: &Key) -> Vec<ContactPoint> {
+        let shape = &key.said.configuration;
+        let mut said = vec![placement.with];
+        if placement.with.is_none() && key.said.placement.stated(key.number).is_none() {
+            let before = key.said.placement.at(key.number);
+            let palm = || HandPoint::new(Default::default(), HandPart::Palm, None);
+            let in_space = before.is_none_or(|before| !touches(before, &self.grammar.locations));
+            said.push(before.and_then(|before| before.with).or_else(|| palm().filter(|_| in_space)));
+        }
+        said.into_iter().filter_map(|point| self.point(point, shape, key, key.side)).collect()
     }
 
     /// Where the place is in the body's pose; several where the description leaves its side open.
@@ -93,8 +109,12 @@ impl Checking<'_> {
             }
             Place::OtherHand(point) => {
                 let Ok(point) = landmarks.hand_point(key.side.other(), *point) else { return Vec::new() };
-                let (at, out) = (point.position(&key.body), point.normal(&key.body));
-                vec![at + out * metres(Distance::Touch, (at, out))]
+                // Away from several fingers is away from each of them.
+                let parts = point.parts().iter().map(|part| {
+                    let (at, out) = (part.position(&key.body), part.normal(&key.body));
+                    at + out * metres(Distance::Touch, (at, out))
+                });
+                vec![parts.sum::<DVec3>() / point.parts().len().max(1) as f64]
             }
             Place::Space(_) | Place::Point(_) | Place::Between(..) | Place::Referent(_) | Place::Towards(_) => {
                 Vec::new()

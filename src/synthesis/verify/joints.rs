@@ -16,13 +16,14 @@ const DEGREE: f64 = std::f64::consts::PI / 180.0;
 /// How much a bone's length may differ, metres: what is computed in `f64` differs by far less.
 const BONE: f64 = 1e-5;
 /// How far an angle may pass its limit before it is told.
-const SLACK: f64 = 0.5 * DEGREE;
+const SLACK: f64 = 1.0 * DEGREE;
 /// How far an elbow may turn about other axes than its hinge: a nearly straight arm takes its roll from the frame before.
 const OFF_HINGE: f64 = 1.5 * DEGREE;
 /// How far an elbow flexes (facts/phonology.md §1).
 const FLEXED: f64 = 150.0 * DEGREE;
-/// How far a finger joint may be turned as no hand can turn it.
-const TWISTED: f64 = 1.0 * DEGREE;
+/// How far a finger joint may be turned as no hand can turn it: on the way between two shapes some degrees come of easing spread and
+/// flexion as one turn, and nobody sees them.
+const TWISTED: f64 = 5.0 * DEGREE;
 /// How fast a joint may turn, a second: 40° a frame at 30 frames a second.
 const TURNING: f64 = 40.0 * 30.0 * DEGREE;
 const SIDES: [Side; 2] = [Side::Left, Side::Right];
