@@ -8,7 +8,8 @@ use std::collections::BTreeMap;
 
 /// The tags of each `hamnosys_manual` of a SiGML file, by a simple scan.
 fn tags(text: &str) -> Vec<Vec<&str>> {
-    let manuals = text.split("<hamnosys_manual").skip(1).map(|part| part.split("</hamnosys_manual>").next().unwrap_or(""));
+    let manuals =
+        text.split("<hamnosys_manual").skip(1).map(|part| part.split("</hamnosys_manual>").next().unwrap_or(""));
     manuals
         .map(|manual| {
             let elements = manual.split('<').skip(1).filter(|e| !e.starts_with(['/', '!', '?']));

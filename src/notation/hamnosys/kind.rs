@@ -1,8 +1,6 @@
 //! What a symbol is for: the classes of symbols that the grammar speaks of, with the values that they say.
 
-use super::syntax::{
-    Bend, Change, Clock, Contact, Ellipse, FingerPart, RepetitionKind, ShapeClass, Thumb, WaveStyle,
-};
+use super::syntax::{Bend, Change, Clock, Contact, Ellipse, FingerPart, RepetitionKind, ShapeClass, Thumb, WaveStyle};
 use crate::phonology::roll::Roll;
 use crate::phonology::{Digit, Direction, Size, WristMotion};
 

@@ -103,10 +103,14 @@ fn unknown_character(c: char, span: Span, diagnostics: &mut Vec<Diagnostic>) {
     }
     let fault = Diagnostic::fault(span, MESSAGE).label("no symbol");
     diagnostics.push(match c {
-        '<' => fault.hint("text with `<` and `>` is SiGML: give it to the reader of SiGML, as a file that ends in .sigml"),
+        '<' => {
+            fault.hint("text with `<` and `>` is SiGML: give it to the reader of SiGML, as a file that ends in .sigml")
+        }
         '\u{e000}'..='\u{f8ff}' => fault
             .hint(format!("U+{:04X} is private, but HamNoSys 4 has nothing there", c as u32))
             .hint("texts in the fonts before HamNoSys 4 and in SignWriting's use other characters"),
-        _other => fault.hint("symbols are characters of the HamNoSys font (U+E000 to U+E0F1), or names such as `hamflathand`"),
+        _other => {
+            fault.hint("symbols are characters of the HamNoSys font (U+E000 to U+E0F1), or names such as `hamflathand`")
+        }
     });
 }

@@ -25,14 +25,25 @@ impl Parser {
     /// Reads actions up to the limit, a plus, or what begins another phase.
     pub(super) fn actions(&mut self, within: Within) -> Read<Vec<Action>> {
         let mut actions = Vec::new();
+        let mut early = Vec::new();
         while let Some(kind) = self.peek() {
             match kind {
                 Kind::Plus => break,
                 Kind::Class(_) | Kind::Symmetry(_) | Kind::Weak if within == Within::Phase => break,
+                Kind::Open(_) if within == Within::Phase && self.splits_shapes() => break,
+                Kind::Manner(_) | Kind::Size(_) if self.action_follows() => {
+                    self.warn("belongs after the movement; it is read as if it stood there");
+                    early.push(kind);
+                    self.next();
+                }
                 Kind::Class(_) | Kind::Fingers(_) | Kind::Palm(_) => actions.push(self.bare_posture()?),
                 Kind::Open(_) if self.splits_postures() => actions.push(self.bare_posture()?),
                 Kind::Open(_) if self.empty_brackets() => {}
-                _kind if self.action_ahead() => actions.push(self.action()?),
+                _kind if self.action_ahead() => {
+                    let mut action = self.action()?;
+                    early.drain(..).for_each(|kind| modify(&mut action, kind));
+                    actions.push(action);
+                }
                 _kind if self.location_ahead() => actions.push(self.bare_target()?),
                 _kind => self.stray(&actions)?,
             }
@@ -66,20 +77,28 @@ impl Parser {
             Some(Kind::Open(bracket)) => self.group(bracket)?,
             _other => Action::Move(Box::new(self.single_move()?)),
         };
+        let mut at_place = false;
         loop {
             match self.peek() {
                 Some(Kind::Alternating) => {
                     self.next();
                     let times = if self.take(Kind::Alternating) { Times::Twice } else { Times::Once };
                     action = Action::Alternating(Box::new(action), times);
+                    at_place = false;
                 }
-                Some(Kind::Manner(_) | Kind::Size(_)) => self.late_modifier_of_action(&mut action),
-                Some(Kind::Contact(_)) if ends_at_place(&action) => self.skip("is a second contact at the same place"),
+                Some(kind @ (Kind::Manner(_) | Kind::Size(_))) if !self.action_follows() => {
+                    self.warn("belongs directly after the movement; it is read as if it stood there");
+                    modify(&mut action, kind);
+                    self.next();
+                }
+                Some(Kind::Contact(_)) if at_place => self.skip("is a second contact at the same place"),
                 _other if self.repetition_ahead() => {
                     action = Action::Repeated(Box::new(action), self.repetition()?);
+                    at_place = false;
                 }
-                _other if !ends_at_place(&action) && self.location_ahead() => {
+                _other if !at_place && self.location_ahead() => {
                     action = Action::Target(Box::new(action), self.location()?);
+                    at_place = true;
                 }
                 _other => return Ok(action),
             }
@@ -97,12 +116,13 @@ impl Parser {
                 return Ok(together(first, bracket));
             }
             if bracket != Bracket::Together {
-                return p.fault("splits what the two hands do, which only `hamparbegin` … `hamparend` can hold", "write one pair of parallel brackets around the two parts");
+                p.warn("splits what the two hands do; the brackets are read as `hamparbegin` … `hamparend`");
             }
             p.next();
             let second = p.actions(Within::Brackets)?;
             if p.peek() == Some(Kind::Plus) {
-                return p.fault("stands here for the second time", "a split has two parts: the strong hand and the weak");
+                return p
+                    .fault("stands here for the second time", "a split has two parts: the strong hand and the weak");
             }
             Ok(Action::Split(side(first), side(second)))
         })
@@ -160,20 +180,13 @@ impl Parser {
         Ok(action)
     }
 
-    /// Manner or size that stands after the place or the brackets of a movement.
-    fn late_modifier_of_action(&mut self, action: &mut Action) {
-        match self.peek() {
-            Some(Kind::Manner(manner)) => {
-                self.warn("belongs directly after the movement; it is read as if it stood there");
-                each_move(action, &mut |one| set_manner(one, manner));
-            }
-            Some(Kind::Size(size)) => {
-                self.warn("belongs directly after the movement; it is read as if it stood there");
-                each_move(action, &mut |one| late_size(one, size));
-            }
-            _other => {}
+    /// Whether an action begins directly after the manners and sizes here.
+    fn action_follows(&self) -> bool {
+        let mut at = self.at;
+        while matches!(self.kind(at), Some(Kind::Manner(_) | Kind::Size(_))) {
+            at += 1;
         }
-        self.next();
+        self.kind(at).is_some_and(is_motion)
     }
 
     /// A symbol that nothing here takes: passed over if little is lost, a fault if not.
@@ -181,20 +194,27 @@ impl Parser {
         let after_action = !before.is_empty();
         match self.peek() {
             Some(Kind::Repeat(_) | Kind::Alternating) => self.skip("has no movement before it to repeat"),
-            Some(Kind::Size(_) | Kind::Manner(_) | Kind::Growth(_) | Kind::Etc) => self.skip("has no movement before it"),
+            Some(Kind::Size(_) | Kind::Manner(_) | Kind::Growth(_) | Kind::Etc) => {
+                self.skip("has no movement before it")
+            }
             Some(Kind::Thumb(_) | Kind::Bend(_)) => self.skip("has no hand shape before it"),
             Some(Kind::Contact(_) | Kind::Behind | Kind::At | Kind::Beside) => self.skip("has no place beside it"),
             Some(Kind::Relative) => self.skip("has no direction or palm before it"),
             Some(Kind::NonIpsi) => self.skip("belongs after a symmetry"),
             Some(Kind::Brushing) => self.skip("has no movement before it"),
             Some(Kind::Arc(_)) => {
-                return self.fault("bends a straight movement, and none is before it", "write the arrow of the movement first");
+                return self.fault(
+                    "bends a straight movement, and none is before it",
+                    "write the arrow of the movement first",
+                );
             }
             Some(Kind::Clock(_) | Kind::FullTurn) => {
-                return self.fault("says where a circle begins or ends, and no circle is before it", "write the circle first");
+                return self
+                    .fault("says where a circle begins or ends, and no circle is before it", "write the circle first");
             }
             Some(Kind::Wave(_) | Kind::Ellipse(_)) => {
-                return self.fault("says how a movement waves, and no movement is before it", "write the movement first");
+                return self
+                    .fault("says how a movement waves, and no movement is before it", "write the movement first");
             }
             Some(Kind::Between) => {
                 return self.fault(
@@ -203,27 +223,15 @@ impl Parser {
                 );
             }
             Some(Kind::NamesPlace | Kind::NamedPlace) => {
-                return self.fault("names a place by a number, and no finger says the number", "write the finger's symbol before it");
+                return self.fault(
+                    "names a place by a number, and no finger says the number",
+                    "write the finger's symbol before it",
+                );
             }
             _other if after_action => return self.unexpected(&["a movement", "a place", "a repetition", "`hamplus`"]),
             _other => return self.unexpected(&["a hand shape", "a place", "a movement"]),
         }
         Ok(())
-    }
-}
-
-/// Whether an action has its target already.
-fn ends_at_place(action: &Action) -> bool {
-    match action {
-        Action::Target(..) => true,
-        Action::Move(_)
-        | Action::Together(_)
-        | Action::Sequence(_)
-        | Action::Fused(_)
-        | Action::Split(..)
-        | Action::Repeated(..)
-        | Action::Alternating(..)
-        | Action::OfBody(..) => false,
     }
 }
 
@@ -253,7 +261,10 @@ fn side(actions: Vec<Action>) -> Option<Box<Action>> {
 fn each_move(action: &mut Action, change: &mut impl FnMut(&mut Move)) {
     match action {
         Action::Move(one) => change(one),
-        Action::Target(inner, _) | Action::Repeated(inner, _) | Action::Alternating(inner, _) | Action::OfBody(_, inner) => {
+        Action::Target(inner, _)
+        | Action::Repeated(inner, _)
+        | Action::Alternating(inner, _)
+        | Action::OfBody(_, inner) => {
             each_move(inner, change);
         }
         Action::Together(actions) | Action::Sequence(actions) | Action::Fused(actions) => {
@@ -263,6 +274,15 @@ fn each_move(action: &mut Action, change: &mut impl FnMut(&mut Move)) {
             strong.iter_mut().chain(weak).for_each(|action| each_move(action, change));
         }
     }
+}
+
+/// Says a manner or a size of each movement of an action.
+fn modify(action: &mut Action, modifier: Kind) {
+    each_move(action, &mut |one| match modifier {
+        Kind::Manner(manner) => set_manner(one, manner),
+        Kind::Size(size) => late_size(one, size),
+        _other => {}
+    });
 }
 
 fn late_size(one: &mut Move, size: Size) {

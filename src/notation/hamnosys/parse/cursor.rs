@@ -112,9 +112,7 @@ impl Parser {
     /// Whether what is read ends with parallel brackets that hold no plus.
     pub fn in_unsplit_brackets(&self) -> bool {
         match self.lexemes.get(self.limit).map(|l| l.kind) {
-            Some(Kind::Close(Bracket::Together)) => {
-                self.plus_ahead(self.partner[self.limit] + 1, self.limit).is_none()
-            }
+            Some(Kind::Close(Bracket::Together)) => self.plus_ahead(self.partner[self.limit] + 1, self.limit).is_none(),
             _other => false,
         }
     }

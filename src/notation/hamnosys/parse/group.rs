@@ -53,14 +53,31 @@ impl Parser {
         first
     }
 
-    /// Whether parallel brackets open here that split postures.
+    /// Whether brackets open here that split postures.
     pub(super) fn splits_postures(&self) -> bool {
-        self.opens(Bracket::Together) && self.holds() == Holds::Postures
+        self.may_split() && self.holds() == Holds::Postures
     }
 
-    /// Whether parallel brackets open here that hold places.
+    /// Whether brackets open here that hold places.
     pub(super) fn splits_places(&self) -> bool {
-        self.opens(Bracket::Together) && self.holds() == Holds::Places
+        self.may_split() && self.holds() == Holds::Places
+    }
+
+    /// Whether brackets here may be a split: parallel ones, or others with a plus that are meant as such.
+    fn may_split(&self) -> bool {
+        match self.peek() {
+            Some(Kind::Open(Bracket::Together)) => true,
+            Some(Kind::Open(Bracket::Sequence | Bracket::Fusion)) => {
+                self.plus_ahead(self.at + 1, self.closing(self.at)).is_some()
+            }
+            Some(_) | None => false,
+        }
+    }
+
+    /// Whether brackets open here that split hand shapes.
+    pub(super) fn splits_shapes(&self) -> bool {
+        self.splits_postures()
+            && (self.at + 1..self.closing(self.at)).any(|at| matches!(self.kind(at), Some(Kind::Class(_))))
     }
 
     /// Whether `seq( bodypart action )` opens here.
@@ -73,7 +90,9 @@ impl Parser {
             Some(Kind::At | Kind::Beside) => open + 2,
             _other => open + 1,
         };
-        if !matches!(self.kind(open), Some(Kind::Open(_))) || !matches!(self.kind(at), Some(Kind::Body(_) | Kind::Arm(_))) {
+        if !matches!(self.kind(open), Some(Kind::Open(_)))
+            || !matches!(self.kind(at), Some(Kind::Body(_) | Kind::Arm(_)))
+        {
             return false;
         }
         at += 1;

@@ -121,7 +121,8 @@ impl Parser {
 
     fn straight(&mut self, first: Direction) -> Straight {
         let direction = self.corner_of(first, arrow);
-        let mut straight = Straight { direction, size: self.size(), between: None, arc: None, waves: None, growth: None };
+        let mut straight =
+            Straight { direction, size: self.size(), between: None, arc: None, waves: None, growth: None };
         while self.straight_detail(&mut straight) {}
         straight
     }

@@ -9,6 +9,7 @@
 //! The order that HamNoSys wants is shape, fingers, palm; another is read with a warning.
 
 use super::cursor::{Handed, Parser, Read};
+use crate::diagnostics::Span;
 use crate::notation::hamnosys::kind::{Bracket, Kind};
 use crate::notation::hamnosys::syntax::*;
 use crate::phonology::Direction;
@@ -107,14 +108,19 @@ impl Parser {
                     self.next();
                     fingers.between = self.finger_direction();
                 }
-                (Some(Kind::Between), Some(Kind::Palm(_) | Kind::Body(_) | Kind::Arrow(_) | Kind::Contact(_)) | None) => {
+                (
+                    Some(Kind::Between),
+                    Some(Kind::Palm(_) | Kind::Body(_) | Kind::Arrow(_) | Kind::Contact(_)) | None,
+                ) => {
                     self.skip("has no second finger direction after it");
                 }
                 (Some(Kind::Fingers(other)), _) if fingers.between.is_none() && near(direction, other) => {
                     self.warn("follows another finger direction: the fingers are read as halfway between the two");
                     fingers.between = self.finger_direction();
                 }
-                (Some(Kind::Fingers(_)), _) if !self.in_unsplit_brackets() => self.skip("is one finger direction too many"),
+                (Some(Kind::Fingers(_)), _) if !self.in_unsplit_brackets() => {
+                    self.skip("is one finger direction too many")
+                }
                 (Some(Kind::Relative), _) => {
                     fingers.relative = true;
                     self.next();
@@ -145,7 +151,10 @@ impl Parser {
                     self.next();
                     palm.between = self.facing();
                 }
-                (Some(Kind::Between), Some(Kind::Fingers(_) | Kind::Body(_) | Kind::Arrow(_) | Kind::Contact(_)) | None) => {
+                (
+                    Some(Kind::Between),
+                    Some(Kind::Fingers(_) | Kind::Body(_) | Kind::Arrow(_) | Kind::Contact(_)) | None,
+                ) => {
                     self.skip("has no second palm after it");
                 }
                 (Some(Kind::Palm(_)), _) if palm.between.is_none() && !self.in_unsplit_brackets() => {
@@ -174,18 +183,32 @@ impl Parser {
 
     /// Reads a split posture, whose bracket is here, into a posture; the places of its sides come back.
     pub(super) fn split_posture(&mut self, posture: &mut Posture) -> Read<Option<(Option<Site>, Option<Site>)>> {
+        let span = self.span();
         let (strong, weak) = self.sides()?;
         let Some(weak) = weak else {
-            put(&mut posture.shape, strong.shape.map(Split::Both));
-            put(&mut posture.fingers, strong.fingers.map(Split::Both));
-            put(&mut posture.palm, strong.palm.map(Split::Both));
+            let dropped = put(&mut posture.shape, strong.shape.map(Split::Both))
+                | put(&mut posture.fingers, strong.fingers.map(Split::Both))
+                | put(&mut posture.palm, strong.palm.map(Split::Both));
+            self.dropped(dropped, span);
             return Ok(strong.site.map(|site| (Some(site), None)));
         };
         self.handed = Handed::Two;
-        put(&mut posture.shape, each(strong.shape, weak.shape));
-        put(&mut posture.fingers, each(strong.fingers, weak.fingers));
-        put(&mut posture.palm, each(strong.palm, weak.palm));
+        let dropped = put(&mut posture.shape, each(strong.shape, weak.shape))
+            | put(&mut posture.fingers, each(strong.fingers, weak.fingers))
+            | put(&mut posture.palm, each(strong.palm, weak.palm));
+        self.dropped(dropped, span);
         Ok((strong.site.is_some() || weak.site.is_some()).then_some((strong.site, weak.site)))
+    }
+
+    /// Says that brackets hold a value that was said before.
+    fn dropped(&mut self, dropped: bool, span: Span) {
+        if dropped {
+            self.warn_at(
+                span,
+                "these brackets say again what was said of the posture before",
+                "the second time is passed over",
+            );
+        }
     }
 
     /// Reads the two sides of a bracket that splits; one where nothing splits it.
@@ -207,7 +230,10 @@ impl Parser {
             }
             let weak = p.side()?;
             if p.peek() == Some(Kind::Plus) {
-                p.fault::<()>("stands here for the second time", "a split has two parts: the strong hand and the weak")?;
+                p.fault::<()>(
+                    "stands here for the second time",
+                    "a split has two parts: the strong hand and the weak",
+                )?;
             }
             Ok((strong, Some(weak)))
         })
@@ -232,10 +258,12 @@ impl Parser {
                 Some(Kind::Open(Bracket::Together)) => {
                     self.warn("is one bracket too many; what it holds is read as if it were not there");
                     let inner = self.inside(Parser::side)?;
-                    put(&mut side.shape, inner.shape);
-                    put(&mut side.fingers, inner.fingers);
-                    put(&mut side.palm, inner.palm);
-                    put(&mut side.site, inner.site);
+                    let dropped = put(&mut side.shape, inner.shape)
+                        | put(&mut side.fingers, inner.fingers)
+                        | put(&mut side.palm, inner.palm)
+                        | put(&mut side.site, inner.site);
+                    let span = self.span_before();
+                    self.dropped(dropped, span);
                 }
                 Some(_) if side.site.is_none() && self.site_ahead() => side.site = Some(self.site()?),
                 _other => return Ok(side),
@@ -268,9 +296,14 @@ fn each<T>(strong: Option<T>, weak: Option<T>) -> Option<Split<T>> {
     (strong.is_some() || weak.is_some()).then_some(Split::Each(strong, weak))
 }
 
-/// Puts a value where there is none.
-fn put<T>(place: &mut Option<T>, value: Option<T>) {
-    if place.is_none() {
-        *place = value;
+/// Puts a value where there is none; whether a value found no place.
+fn put<T>(place: &mut Option<T>, value: Option<T>) -> bool {
+    match (&place, &value) {
+        (Some(_), Some(_)) => true,
+        (Some(_), None) | (None, None) => false,
+        (None, Some(_)) => {
+            *place = value;
+            false
+        }
     }
 }

@@ -60,7 +60,7 @@ impl Parser {
                     shape.thumb = Some(ThumbSpecial::Between(a, b));
                     self.at += 3;
                 }
-                (Some(Kind::Digit(a)), _) => {
+                (Some(Kind::Digit(a)), next) if next != Some(Kind::NamesPlace) => {
                     self.warn("needs two fingers: the thumb is read as between this finger and the next");
                     let next = Digit::ALL[(a as usize + 1).min(4)];
                     shape.thumb = Some(ThumbSpecial::Between(a, next));
@@ -137,7 +137,9 @@ impl Parser {
             at += 1;
         }
         match self.kind(at) {
-            Some(Kind::Contact(_) | Kind::NamesPlace | Kind::NamedPlace | Kind::Hand(_) | Kind::Behind) => true,
+            Some(Kind::Contact(_) | Kind::Hand(_) | Kind::Behind) => true,
+            // Of digits before a name, only the last is its number.
+            Some(Kind::NamesPlace | Kind::NamedPlace) => at == self.at + 1,
             // A side may also belong to the place that follows.
             Some(Kind::At | Kind::Beside) => !matches!(self.kind(at + 1), Some(Kind::Body(_) | Kind::Arm(_))),
             _other => false,
