@@ -31,13 +31,13 @@ impl Parser {
                 Kind::Plus => break,
                 Kind::Class(_) | Kind::Symmetry(_) | Kind::Weak if within == Within::Phase => break,
                 Kind::Open(_) if within == Within::Phase && self.splits_shapes() => break,
-                Kind::Manner(_) | Kind::Size(_) if self.action_follows() => {
+                Kind::Manner(_) | Kind::Size(_) | Kind::Arc(_) | Kind::Wave(_) if self.action_follows() => {
                     self.warn("belongs after the movement; it is read as if it stood there");
                     early.push(kind);
                     self.next();
                 }
                 Kind::Class(_) | Kind::Fingers(_) | Kind::Palm(_) => actions.push(self.bare_posture()?),
-                Kind::Open(_) if self.splits_postures() => actions.push(self.bare_posture()?),
+                Kind::Open(_) if self.splits_postures() && self.plus_inside() => actions.push(self.bare_posture()?),
                 Kind::Open(_) if self.empty_brackets() => {}
                 _kind if self.action_ahead() => {
                     let mut action = self.action()?;
@@ -55,7 +55,9 @@ impl Parser {
     pub(super) fn action_ahead(&self) -> bool {
         match self.peek() {
             Some(Kind::Nothing) => true,
-            Some(Kind::Open(_)) => !self.location_ahead() && !self.repetition_ahead() && !self.splits_postures(),
+            Some(Kind::Open(_)) => {
+                !self.location_ahead() && !self.repetition_ahead() && !(self.splits_postures() && self.plus_inside())
+            }
             Some(kind) => is_motion(kind) && kind != Kind::Brushing,
             None => false,
         }
@@ -73,10 +75,15 @@ impl Parser {
 
     /// Reads an action, which is here, with what follows it.
     pub(super) fn action(&mut self) -> Read<Action> {
-        let mut action = match self.peek() {
+        let action = match self.peek() {
             Some(Kind::Open(bracket)) => self.group(bracket)?,
             _other => Action::Move(Box::new(self.single_move()?)),
         };
+        self.followed(action)
+    }
+
+    /// Reads what follows an action: places, repetitions, alternation, modifiers that come late.
+    fn followed(&mut self, mut action: Action) -> Read<Action> {
         let mut at_place = false;
         loop {
             match self.peek() {
@@ -86,7 +93,9 @@ impl Parser {
                     action = Action::Alternating(Box::new(action), times);
                     at_place = false;
                 }
-                Some(kind @ (Kind::Manner(_) | Kind::Size(_))) if !self.action_follows() => {
+                Some(kind @ (Kind::Manner(_) | Kind::Size(_) | Kind::Arc(_) | Kind::Wave(_)))
+                    if !self.action_follows() && takes(&mut action, kind) =>
+                {
                     self.warn("belongs directly after the movement; it is read as if it stood there");
                     modify(&mut action, kind);
                     self.next();
@@ -162,7 +171,7 @@ impl Parser {
         }
         let mut one = Move::of(Motion::Replace(posture));
         one.span = Ignored(start.to(self.span_before()));
-        self.target_of(Action::Move(Box::new(one)))
+        self.followed(Action::Move(Box::new(one)))
     }
 
     /// A place without a movement.
@@ -170,23 +179,22 @@ impl Parser {
         self.warn("begins a place that no movement goes to; the hand is read as going there");
         let mut one = Move::of(Motion::Nothing);
         one.span = Ignored(self.span());
-        self.target_of(Action::Move(Box::new(one)))
-    }
-
-    fn target_of(&mut self, action: Action) -> Read<Action> {
-        if self.location_ahead() {
-            return Ok(Action::Target(Box::new(action), self.location()?));
-        }
-        Ok(action)
+        self.followed(Action::Move(Box::new(one)))
     }
 
     /// Whether an action begins directly after the manners and sizes here.
     fn action_follows(&self) -> bool {
         let mut at = self.at;
-        while matches!(self.kind(at), Some(Kind::Manner(_) | Kind::Size(_))) {
+        let mut path = false;
+        while let Some(Kind::Manner(_) | Kind::Size(_) | Kind::Arc(_) | Kind::Wave(_)) = self.kind(at) {
+            path |= matches!(self.kind(at), Some(Kind::Arc(_) | Kind::Wave(_)));
             at += 1;
         }
-        self.kind(at).is_some_and(is_motion)
+        match self.kind(at) {
+            Some(Kind::Arrow(_)) => true,
+            Some(kind) => !path && is_motion(kind),
+            None => false,
+        }
     }
 
     /// A symbol that nothing here takes: passed over if little is lost, a fault if not.
@@ -216,12 +224,7 @@ impl Parser {
                 return self
                     .fault("says how a movement waves, and no movement is before it", "write the movement first");
             }
-            Some(Kind::Between) => {
-                return self.fault(
-                    "joins two values of one kind, and has not one of the same kind on each side",
-                    "write it between two hand shapes, two directions, two palms or two places",
-                );
-            }
+            Some(Kind::Between) => self.skip("joins two values of one kind, and has not one on each side"),
             Some(Kind::NamesPlace | Kind::NamedPlace) => {
                 return self.fault(
                     "names a place by a number, and no finger says the number",
@@ -278,11 +281,29 @@ fn each_move(action: &mut Action, change: &mut impl FnMut(&mut Move)) {
 
 /// Says a manner or a size of each movement of an action.
 fn modify(action: &mut Action, modifier: Kind) {
-    each_move(action, &mut |one| match modifier {
-        Kind::Manner(manner) => set_manner(one, manner),
-        Kind::Size(size) => late_size(one, size),
+    each_move(action, &mut |one| match (modifier, &mut one.motion) {
+        (Kind::Manner(manner), _) => set_manner(one, manner),
+        (Kind::Size(size), _) => late_size(one, size),
+        (Kind::Arc(roll), Motion::Straight(straight)) => straight.arc = straight.arc.or(Some((roll, Size::Normal))),
+        (Kind::Wave(style), Motion::Straight(Straight { waves, .. }) | Motion::Circle(Circle { waves, .. })) => {
+            *waves = waves.or(Some(Waves { style, size: Size::Normal, plane: None }));
+        }
         _other => {}
     });
+}
+
+/// Whether a modifier can be said of some movement of an action.
+fn takes(action: &mut Action, modifier: Kind) -> bool {
+    let mut taken = false;
+    each_move(action, &mut |one| {
+        taken |= match (modifier, &one.motion) {
+            (Kind::Arc(_), Motion::Straight(_)) => true,
+            (Kind::Wave(_), Motion::Straight(_) | Motion::Circle(_)) => true,
+            (Kind::Arc(_) | Kind::Wave(_), _) => false,
+            _other => true,
+        };
+    });
+    taken
 }
 
 fn late_size(one: &mut Move, size: Size) {

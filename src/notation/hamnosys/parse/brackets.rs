@@ -36,12 +36,7 @@ pub(super) fn prepare(tokens: &[Token], end: Span) -> Prepared {
     }
     choice.end(&mut pairing.out.diagnostics);
     while let Some((_, bracket, at)) = pairing.open.last().copied() {
-        let opened = pairing.out.lexemes[at];
-        pairing.out.diagnostics.push(
-            Diagnostic::warning(opened.span, format!("`{}` is never closed", opened.symbol.tag()))
-                .label("read as closed at the end"),
-        );
-        pairing.close(bracket, end);
+        pairing.unclosed(bracket, at, end);
     }
     pairing.out
 }
@@ -175,6 +170,21 @@ impl Pairing {
             self.out.partner[at] = here;
             self.out.lexemes.push(Lexeme { kind: Kind::Close(bracket), symbol: end(bracket), span });
             self.out.partner.push(at);
+        }
+    }
+
+    /// A bracket that is open at the end: one too many if the same bracket opens directly after it, else closed there.
+    fn unclosed(&mut self, bracket: Bracket, at: usize, end: Span) {
+        let opened = self.out.lexemes[at];
+        if self.out.lexemes.get(at + 1).is_some_and(|next| next.kind == opened.kind) {
+            self.warn(opened, "is written twice and closed once; it is read once");
+            self.open.pop();
+            self.out.lexemes.remove(at);
+            self.out.partner.remove(at);
+            self.out.partner.iter_mut().filter(|partner| **partner > at).for_each(|partner| *partner -= 1);
+        } else {
+            self.warn(opened, "is never closed; it is read as closed at the end");
+            self.close(bracket, end);
         }
     }
 

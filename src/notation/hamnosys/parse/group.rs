@@ -67,11 +67,14 @@ impl Parser {
     fn may_split(&self) -> bool {
         match self.peek() {
             Some(Kind::Open(Bracket::Together)) => true,
-            Some(Kind::Open(Bracket::Sequence | Bracket::Fusion)) => {
-                self.plus_ahead(self.at + 1, self.closing(self.at)).is_some()
-            }
+            Some(Kind::Open(Bracket::Sequence | Bracket::Fusion)) => self.plus_inside(),
             Some(_) | None => false,
         }
+    }
+
+    /// Whether the brackets here have a plus of their own.
+    pub(super) fn plus_inside(&self) -> bool {
+        matches!(self.peek(), Some(Kind::Open(_))) && self.plus_ahead(self.at + 1, self.closing(self.at)).is_some()
     }
 
     /// Whether brackets open here that split hand shapes.
@@ -99,10 +102,15 @@ impl Parser {
         while matches!(self.kind(at), Some(Kind::At | Kind::Beside | Kind::Etc | Kind::Hand(_))) {
             at += 1;
         }
-        match self.kind(at) {
-            Some(Kind::Open(_) | Kind::Nothing) => true,
-            Some(kind) => is_motion(kind),
-            None => false,
+        // Parallel brackets with a plus are split places instead.
+        if self.kind(open) != Some(Kind::Open(Bracket::Sequence)) && self.plus_ahead(open + 1, self.closing(open)).is_some() {
+            return false;
+        }
+        match (self.kind(at), self.kind(at + 1)) {
+            (Some(Kind::Open(Bracket::Sequence)), Some(Kind::Contact(_) | Kind::Hand(_) | Kind::Digit(_) | Kind::Part(_))) => false,
+            (Some(Kind::Open(_) | Kind::Nothing), _) => true,
+            (Some(kind), _) => is_motion(kind),
+            (None, _) => false,
         }
     }
 }

@@ -146,8 +146,12 @@ impl Parser {
     fn posture_and_place(&mut self, phase: &mut Phase) -> Read<()> {
         let mut stage = Stage::Nothing;
         loop {
-            if phase.posture.shape.is_some() && self.splits_shapes() {
-                return Ok(());
+            if self.splits_postures() {
+                // A second shape begins a phase; brackets that split nothing, after the place, hold a movement.
+                let over = stage == Stage::Place && !self.plus_inside();
+                if over || phase.posture.shape.is_some() && self.splits_shapes() {
+                    return Ok(());
+                }
             }
             if self.splits_postures() {
                 if stage == Stage::Place && !phase.posture.is_empty() {

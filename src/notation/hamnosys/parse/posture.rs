@@ -44,9 +44,9 @@ impl Parser {
     /// Reads one part of a posture into it, if one is here; whether there was one. `stage` is how far the parts are.
     pub(super) fn posture_part(&mut self, posture: &mut Posture, stage: &mut Stage) -> Read<bool> {
         match self.peek() {
-            Some(Kind::Class(class)) if posture.shape.is_none() => {
+            Some(_) if posture.shape.is_none() && self.shape_ahead() => {
                 self.in_order(stage, Stage::Shape);
-                posture.shape = Some(Split::Both(self.shape(class)));
+                posture.shape = Some(Split::Both(self.shape()?));
             }
             Some(Kind::Fingers(_)) if posture.fingers.is_none() => {
                 self.in_order(stage, Stage::Fingers);
@@ -244,7 +244,7 @@ impl Parser {
         let mut side = SideOfSplit::default();
         loop {
             match self.peek() {
-                Some(Kind::Class(class)) if side.shape.is_none() => side.shape = Some(self.shape(class)),
+                Some(_) if side.shape.is_none() && self.shape_ahead() => side.shape = Some(self.shape()?),
                 Some(Kind::Fingers(_)) if side.fingers.is_none() => side.fingers = Some(self.fingers()),
                 Some(Kind::Palm(_)) if side.palm.is_none() => side.palm = Some(self.palm()),
                 Some(Kind::Nothing) => self.next(),
@@ -255,6 +255,17 @@ impl Parser {
                     }
                     self.next();
                 }
+                Some(
+                    Kind::Thumb(_)
+                    | Kind::Bend(_)
+                    | Kind::Size(_)
+                    | Kind::Manner(_)
+                    | Kind::Etc
+                    | Kind::Relative
+                    | Kind::Between
+                    | Kind::NonIpsi,
+                ) => self.skip("has nothing before it that it could be said of"),
+                Some(Kind::At | Kind::Beside | Kind::Behind) if !self.site_ahead() => self.skip("has no place beside it"),
                 Some(Kind::Open(Bracket::Together)) => {
                     self.warn("is one bracket too many; what it holds is read as if it were not there");
                     let inner = self.inside(Parser::side)?;

@@ -5,15 +5,41 @@
 //! special = between finger finger | between | thumb | part
 //! ```
 
-use super::cursor::Parser;
+use super::cursor::{Parser, Read};
 use crate::notation::hamnosys::kind::Kind;
 use crate::notation::hamnosys::syntax::*;
 use crate::phonology::Digit;
 
 impl Parser {
-    /// Reads a shape; its class is here.
-    pub(super) fn shape(&mut self, class: ShapeClass) -> Shape {
+    /// Whether a shape begins here, perhaps with its thumb or bend before its class.
+    pub(super) fn shape_ahead(&self) -> bool {
+        matches!(self.kind(self.class_after_modifiers()), Some(Kind::Class(_)))
+    }
+
+    /// Where the class is that thumbs and bends here stand before.
+    fn class_after_modifiers(&self) -> usize {
+        const MOST: usize = 4;
+        let mut at = self.at;
+        while at < self.at + MOST && matches!(self.kind(at), Some(Kind::Thumb(_) | Kind::Bend(_))) {
+            at += 1;
+        }
+        at
+    }
+
+    /// Reads a shape, which is here.
+    pub(super) fn shape(&mut self) -> Read<Shape> {
+        let at = self.class_after_modifiers();
+        let Some(Kind::Class(class)) = self.kind(at) else { return self.unexpected(&["a hand shape"]) };
         let mut shape = Shape::of(class);
+        while self.at < at {
+            self.warn("belongs after the hand shape; it is read as if it stood there");
+            match self.peek() {
+                Some(Kind::Thumb(thumb)) => shape.main.thumb = Some(thumb),
+                Some(Kind::Bend(bend)) => shape.main.bend = Some(bend),
+                _other => {}
+            }
+            self.next();
+        }
         self.next();
         self.class_modifiers(&mut shape, Halfway::No);
         if let (Some(Kind::Between), Some(Kind::Class(class))) = (self.peek(), self.ahead(1)) {
@@ -22,7 +48,7 @@ impl Parser {
             self.class_modifiers(&mut shape, Halfway::Yes);
         }
         while self.digits(&mut shape) {}
-        shape
+        Ok(shape)
     }
 
     /// Thumb, bend and `hametc` after a class.
@@ -132,8 +158,9 @@ impl Parser {
 
     /// Whether the digits and parts here are a place, because a contact, a side or a face follows them, or a name of a place.
     fn place_ahead(&self) -> bool {
+        const MOST: usize = 12;
         let mut at = self.at;
-        while matches!(self.kind(at), Some(Kind::Digit(_) | Kind::Part(_))) {
+        while at < self.at + MOST && matches!(self.kind(at), Some(Kind::Digit(_) | Kind::Part(_))) {
             at += 1;
         }
         match self.kind(at) {

@@ -229,6 +229,10 @@ impl Parser {
 
     /// Reads the brackets of two places, which are here, and how the hands meet there.
     fn split_places(&mut self) -> Read<Location> {
+        if !self.plus_inside() && (self.at + 1..self.closing(self.at)).any(|at| matches!(self.kind(at), Some(Kind::Open(Bracket::Together)))) {
+            self.warn("begins brackets around one place, which say nothing");
+            return self.inside(Parser::location);
+        }
         let (strong, weak) = self.sides()?;
         if !strong.posture_is_empty() || weak.as_ref().is_some_and(|side| !side.posture_is_empty()) {
             let span = self.span_before();
