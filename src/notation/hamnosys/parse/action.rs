@@ -25,14 +25,25 @@ impl Parser {
     /// Reads actions up to the limit, a plus, or what begins another phase.
     pub(super) fn actions(&mut self, within: Within) -> Read<Vec<Action>> {
         let mut actions = Vec::new();
+        let mut early = Vec::new();
         while let Some(kind) = self.peek() {
             match kind {
                 Kind::Plus => break,
                 Kind::Class(_) | Kind::Symmetry(_) | Kind::Weak if within == Within::Phase => break,
+                Kind::Open(_) if within == Within::Phase && self.splits_shapes() => break,
+                Kind::Manner(_) | Kind::Size(_) | Kind::Arc(_) | Kind::Wave(_) if self.action_follows() => {
+                    self.warn("belongs after the movement; it is read as if it stood there");
+                    early.push(kind);
+                    self.next();
+                }
                 Kind::Class(_) | Kind::Fingers(_) | Kind::Palm(_) => actions.push(self.bare_posture()?),
-                Kind::Open(_) if self.splits_postures() => actions.push(self.bare_posture()?),
+                Kind::Open(_) if self.splits_postures() && self.plus_inside() => actions.push(self.bare_posture()?),
                 Kind::Open(_) if self.empty_brackets() => {}
-                _kind if self.action_ahead() => actions.push(self.action()?),
+                _kind if self.action_ahead() => {
+                    let mut action = self.action()?;
+                    early.drain(..).for_each(|kind| modify(&mut action, kind));
+                    actions.push(action);
+                }
                 _kind if self.location_ahead() => actions.push(self.bare_target()?),
                 _kind => self.stray(&actions)?,
             }
@@ -44,7 +55,9 @@ impl Parser {
     pub(super) fn action_ahead(&self) -> bool {
         match self.peek() {
             Some(Kind::Nothing) => true,
-            Some(Kind::Open(_)) => !self.location_ahead() && !self.repetition_ahead() && !self.splits_postures(),
+            Some(Kind::Open(_)) => {
+                !self.location_ahead() && !self.repetition_ahead() && !(self.splits_postures() && self.plus_inside())
+            }
             Some(kind) => is_motion(kind) && kind != Kind::Brushing,
             None => false,
         }
@@ -62,24 +75,39 @@ impl Parser {
 
     /// Reads an action, which is here, with what follows it.
     pub(super) fn action(&mut self) -> Read<Action> {
-        let mut action = match self.peek() {
+        let action = match self.peek() {
             Some(Kind::Open(bracket)) => self.group(bracket)?,
             _other => Action::Move(Box::new(self.single_move()?)),
         };
+        self.followed(action)
+    }
+
+    /// Reads what follows an action: places, repetitions, alternation, modifiers that come late.
+    fn followed(&mut self, mut action: Action) -> Read<Action> {
+        let mut at_place = false;
         loop {
             match self.peek() {
                 Some(Kind::Alternating) => {
                     self.next();
                     let times = if self.take(Kind::Alternating) { Times::Twice } else { Times::Once };
                     action = Action::Alternating(Box::new(action), times);
+                    at_place = false;
                 }
-                Some(Kind::Manner(_) | Kind::Size(_)) => self.late_modifier_of_action(&mut action),
-                Some(Kind::Contact(_)) if ends_at_place(&action) => self.skip("is a second contact at the same place"),
+                Some(kind @ (Kind::Manner(_) | Kind::Size(_) | Kind::Arc(_) | Kind::Wave(_)))
+                    if !self.action_follows() && takes(&mut action, kind) =>
+                {
+                    self.warn("belongs directly after the movement; it is read as if it stood there");
+                    modify(&mut action, kind);
+                    self.next();
+                }
+                Some(Kind::Contact(_)) if at_place => self.skip("is a second contact at the same place"),
                 _other if self.repetition_ahead() => {
                     action = Action::Repeated(Box::new(action), self.repetition()?);
+                    at_place = false;
                 }
-                _other if !ends_at_place(&action) && self.location_ahead() => {
+                _other if !at_place && self.location_ahead() => {
                     action = Action::Target(Box::new(action), self.location()?);
+                    at_place = true;
                 }
                 _other => return Ok(action),
             }
@@ -97,10 +125,7 @@ impl Parser {
                 return Ok(together(first, bracket));
             }
             if bracket != Bracket::Together {
-                return p.fault(
-                    "splits what the two hands do, which only `hamparbegin` … `hamparend` can hold",
-                    "write one pair of parallel brackets around the two parts",
-                );
+                p.warn("splits what the two hands do; the brackets are read as `hamparbegin` … `hamparend`");
             }
             p.next();
             let second = p.actions(Within::Brackets)?;
@@ -146,7 +171,7 @@ impl Parser {
         }
         let mut one = Move::of(Motion::Replace(posture));
         one.span = Ignored(start.to(self.span_before()));
-        self.target_of(Action::Move(Box::new(one)))
+        self.followed(Action::Move(Box::new(one)))
     }
 
     /// A place without a movement.
@@ -154,30 +179,22 @@ impl Parser {
         self.warn("begins a place that no movement goes to; the hand is read as going there");
         let mut one = Move::of(Motion::Nothing);
         one.span = Ignored(self.span());
-        self.target_of(Action::Move(Box::new(one)))
+        self.followed(Action::Move(Box::new(one)))
     }
 
-    fn target_of(&mut self, action: Action) -> Read<Action> {
-        if self.location_ahead() {
-            return Ok(Action::Target(Box::new(action), self.location()?));
+    /// Whether an action begins directly after the manners and sizes here.
+    fn action_follows(&self) -> bool {
+        let mut at = self.at;
+        let mut path = false;
+        while let Some(Kind::Manner(_) | Kind::Size(_) | Kind::Arc(_) | Kind::Wave(_)) = self.kind(at) {
+            path |= matches!(self.kind(at), Some(Kind::Arc(_) | Kind::Wave(_)));
+            at += 1;
         }
-        Ok(action)
-    }
-
-    /// Manner or size that stands after the place or the brackets of a movement.
-    fn late_modifier_of_action(&mut self, action: &mut Action) {
-        match self.peek() {
-            Some(Kind::Manner(manner)) => {
-                self.warn("belongs directly after the movement; it is read as if it stood there");
-                each_move(action, &mut |one| set_manner(one, manner));
-            }
-            Some(Kind::Size(size)) => {
-                self.warn("belongs directly after the movement; it is read as if it stood there");
-                each_move(action, &mut |one| late_size(one, size));
-            }
-            _other => {}
+        match self.kind(at) {
+            Some(Kind::Arrow(_)) => true,
+            Some(kind) => !path && is_motion(kind),
+            None => false,
         }
-        self.next();
     }
 
     /// A symbol that nothing here takes: passed over if little is lost, a fault if not.
@@ -207,12 +224,7 @@ impl Parser {
                 return self
                     .fault("says how a movement waves, and no movement is before it", "write the movement first");
             }
-            Some(Kind::Between) => {
-                return self.fault(
-                    "joins two values of one kind, and has not one of the same kind on each side",
-                    "write it between two hand shapes, two directions, two palms or two places",
-                );
-            }
+            Some(Kind::Between) => self.skip("joins two values of one kind, and has not one on each side"),
             Some(Kind::NamesPlace | Kind::NamedPlace) => {
                 return self.fault(
                     "names a place by a number, and no finger says the number",
@@ -223,21 +235,6 @@ impl Parser {
             _other => return self.unexpected(&["a hand shape", "a place", "a movement"]),
         }
         Ok(())
-    }
-}
-
-/// Whether an action has its target already.
-fn ends_at_place(action: &Action) -> bool {
-    match action {
-        Action::Target(..) => true,
-        Action::Move(_)
-        | Action::Together(_)
-        | Action::Sequence(_)
-        | Action::Fused(_)
-        | Action::Split(..)
-        | Action::Repeated(..)
-        | Action::Alternating(..)
-        | Action::OfBody(..) => false,
     }
 }
 
@@ -280,6 +277,33 @@ fn each_move(action: &mut Action, change: &mut impl FnMut(&mut Move)) {
             strong.iter_mut().chain(weak).for_each(|action| each_move(action, change));
         }
     }
+}
+
+/// Says a manner or a size of each movement of an action.
+fn modify(action: &mut Action, modifier: Kind) {
+    each_move(action, &mut |one| match (modifier, &mut one.motion) {
+        (Kind::Manner(manner), _) => set_manner(one, manner),
+        (Kind::Size(size), _) => late_size(one, size),
+        (Kind::Arc(roll), Motion::Straight(straight)) => straight.arc = straight.arc.or(Some((roll, Size::Normal))),
+        (Kind::Wave(style), Motion::Straight(Straight { waves, .. }) | Motion::Circle(Circle { waves, .. })) => {
+            *waves = waves.or(Some(Waves { style, size: Size::Normal, plane: None }));
+        }
+        _other => {}
+    });
+}
+
+/// Whether a modifier can be said of some movement of an action.
+fn takes(action: &mut Action, modifier: Kind) -> bool {
+    let mut taken = false;
+    each_move(action, &mut |one| {
+        taken |= match (modifier, &one.motion) {
+            (Kind::Arc(_), Motion::Straight(_)) => true,
+            (Kind::Wave(_), Motion::Straight(_) | Motion::Circle(_)) => true,
+            (Kind::Arc(_) | Kind::Wave(_), _) => false,
+            _other => true,
+        };
+    });
+    taken
 }
 
 fn late_size(one: &mut Move, size: Size) {

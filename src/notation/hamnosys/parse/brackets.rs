@@ -31,17 +31,12 @@ pub(super) fn prepare(tokens: &[Token], end: Span) -> Prepared {
     for (i, token) in tokens.iter().enumerate() {
         let lexeme = Lexeme { kind: token.symbol.kind(), symbol: token.symbol, span: token.span };
         if choice.passes(&lexeme, &mut pairing.out.diagnostics) {
-            pairing.take(lexeme, i + 1 == tokens.len());
+            pairing.take(lexeme, &tokens[i + 1..]);
         }
     }
     choice.end(&mut pairing.out.diagnostics);
     while let Some((_, bracket, at)) = pairing.open.last().copied() {
-        let opened = pairing.out.lexemes[at];
-        pairing.out.diagnostics.push(
-            Diagnostic::warning(opened.span, format!("`{}` is never closed", opened.symbol.tag()))
-                .label("read as closed at the end"),
-        );
-        pairing.close(bracket, end);
+        pairing.unclosed(bracket, at, end);
     }
     pairing.out
 }
@@ -108,11 +103,12 @@ struct Pairing {
 }
 
 impl Pairing {
-    fn take(&mut self, lexeme: Lexeme, last: bool) {
+    /// Takes a symbol, before the rest of them.
+    fn take(&mut self, lexeme: Lexeme, rest: &[Token]) {
         match lexeme.kind {
             Kind::Silent => {}
             Kind::Mime => self.warn(lexeme, "says that what follows is mimed; it is read as it is written"),
-            Kind::Punctuation => self.punctuation(lexeme, last),
+            Kind::Punctuation => self.punctuation(lexeme, rest),
             Kind::Open(bracket) => {
                 let above = self.open.len();
                 if above == DEEPEST {
@@ -122,7 +118,7 @@ impl Pairing {
                 self.open.push((above, bracket, self.out.lexemes.len()));
                 self.push(lexeme);
             }
-            Kind::Close(bracket) => self.closing(lexeme, bracket),
+            Kind::Close(bracket) => self.closing(lexeme, bracket, rest),
             kind if doubled(kind) && self.out.lexemes.last().is_some_and(|l| l.kind == kind) => {
                 self.warn(lexeme, "is written twice in a row; it is read once");
             }
@@ -131,8 +127,8 @@ impl Pairing {
     }
 
     /// A mark of utterances: in the middle it parts signs, elsewhere it says nothing of a sign.
-    fn punctuation(&mut self, lexeme: Lexeme, last: bool) {
-        let parts = !last && self.open.is_empty() && !self.out.lexemes.is_empty();
+    fn punctuation(&mut self, lexeme: Lexeme, rest: &[Token]) {
+        let parts = !rest.is_empty() && self.open.is_empty() && !self.out.lexemes.is_empty();
         if parts {
             self.warn(lexeme, "parts signs; they are read as one, one after the other");
             self.push(Lexeme { kind: Kind::Plus, ..lexeme });
@@ -141,7 +137,7 @@ impl Pairing {
         }
     }
 
-    fn closing(&mut self, lexeme: Lexeme, bracket: Bracket) {
+    fn closing(&mut self, lexeme: Lexeme, bracket: Bracket, rest: &[Token]) {
         let Some(&(_, top, _)) = self.open.last() else {
             return self.warn(lexeme, "closes nothing; it is passed over");
         };
@@ -149,6 +145,9 @@ impl Pairing {
             return self.close(bracket, lexeme.span);
         }
         if !self.open.iter().any(|(_, open, _)| *open == bracket) {
+            if closes_later(top, rest) {
+                return self.warn(lexeme, "closes nothing; it is passed over");
+            }
             self.warn(lexeme, &format!("closes `{}`; it is read as `{}`", begin(top).tag(), end(top).tag()));
             return self.close(top, lexeme.span);
         }
@@ -174,6 +173,21 @@ impl Pairing {
         }
     }
 
+    /// A bracket that is open at the end: one too many if the same bracket opens directly after it, else closed there.
+    fn unclosed(&mut self, bracket: Bracket, at: usize, end: Span) {
+        let opened = self.out.lexemes[at];
+        if self.out.lexemes.get(at + 1).is_some_and(|next| next.kind == opened.kind) {
+            self.warn(opened, "is written twice and closed once; it is read once");
+            self.open.pop();
+            self.out.lexemes.remove(at);
+            self.out.partner.remove(at);
+            self.out.partner.iter_mut().filter(|partner| **partner > at).for_each(|partner| *partner -= 1);
+        } else {
+            self.warn(opened, "is never closed; it is read as closed at the end");
+            self.close(bracket, end);
+        }
+    }
+
     fn push(&mut self, lexeme: Lexeme) {
         self.out.partner.push(self.out.lexemes.len());
         self.out.lexemes.push(lexeme);
@@ -183,6 +197,23 @@ impl Pairing {
         let message = format!("`{}` {what}", lexeme.symbol.tag());
         self.out.diagnostics.push(Diagnostic::warning(lexeme.span, message).label(lexeme.symbol.name()));
     }
+}
+
+/// Whether a bracket that is open is closed soon.
+fn closes_later(bracket: Bracket, rest: &[Token]) -> bool {
+    const SOON: usize = 64;
+    let mut open = 1;
+    for token in rest.iter().take(SOON) {
+        match token.symbol.kind() {
+            Kind::Open(b) if b == bracket => open += 1,
+            Kind::Close(b) if b == bracket => open -= 1,
+            _other => {}
+        }
+        if open == 0 {
+            return true;
+        }
+    }
+    false
 }
 
 /// Symbols that say nothing more when they stand twice.

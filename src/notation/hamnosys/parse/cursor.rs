@@ -163,7 +163,12 @@ impl Parser {
             }
             Some(_) | None => Diagnostic::fault(self.end, "the text ends too early"),
         };
-        self.diagnostics.push(fault.label(format!("expected {expected}")));
+        let fault = fault.label(format!("expected {expected}"));
+        let hint = self.lexemes.get(self.at).and_then(|l| likely_mistake(l.kind));
+        self.diagnostics.push(match hint {
+            Some(hint) => fault.hint(hint),
+            None => fault,
+        });
         Err(Stop)
     }
 
@@ -175,6 +180,48 @@ impl Parser {
         };
         self.diagnostics.push(Diagnostic::fault(span, message).label(name).hint(hint));
         Err(Stop)
+    }
+}
+
+/// What people likely meant where a symbol of this class cannot stand.
+fn likely_mistake(kind: Kind) -> Option<&'static str> {
+    match kind {
+        Kind::Class(_) => Some("a second hand shape needs `hambetween`, `hamplus` or `hamreplace` before it"),
+        Kind::Fingers(_) | Kind::Palm(_) => Some("a second value needs `hambetween` or `hamplus` before it"),
+        Kind::Body(_) | Kind::Arm(_) | Kind::Hand(_) | Kind::Digit(_) | Kind::Part(_) | Kind::Neutral => {
+            Some("a second place needs `hambetween` or `hamplus` before it")
+        }
+        Kind::Arrow(_) | Kind::Circle(_) | Kind::Wrist(_) | Kind::FingerPlay | Kind::Crossing | Kind::Nothing => {
+            Some("movements come after hand shape, directions and place; brackets around those hold no movement")
+        }
+        Kind::Replace => Some("`hamreplace` is a movement: it comes after hand shape, directions and place"),
+        Kind::Repeat(_) | Kind::Alternating => Some("a repetition stands directly after the movement"),
+        Kind::Plus => Some(
+            "`hamplus` parts the two sides of one pair of brackets, or two signs outside brackets; is a bracket missing?",
+        ),
+        Kind::Open(_) | Kind::Close(_) => Some("is a bracket missing, or one too many?"),
+        Kind::Symmetry(_) | Kind::Weak => Some("which hands act stands at the beginning of a sign"),
+        Kind::NamesPlace | Kind::NamedPlace => Some("a place is named by a finger's symbol and `hamcoreftag` after it"),
+        Kind::Brushing => {
+            Some("brushing is written `hamseqbegin`, `hambrushing`, the place, `hamseqend`, after the movement")
+        }
+        Kind::Contact(_) | Kind::Behind | Kind::At | Kind::Beside => Some("contact and side stand beside a place"),
+        Kind::Thumb(_) | Kind::Bend(_) => Some("thumb and bend stand directly after the hand shape"),
+        Kind::Arc(_) | Kind::Wave(_) | Kind::Ellipse(_) | Kind::Clock(_) | Kind::FullTurn | Kind::Growth(_) => {
+            Some("this stands directly after its movement")
+        }
+        Kind::Size(_)
+        | Kind::Manner(_)
+        | Kind::Between
+        | Kind::NonIpsi
+        | Kind::Etc
+        | Kind::Relative
+        | Kind::Mime
+        | Kind::Punctuation
+        | Kind::AlternativesBegin
+        | Kind::Or
+        | Kind::AlternativesEnd
+        | Kind::Silent => None,
     }
 }
 

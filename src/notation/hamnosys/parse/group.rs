@@ -53,14 +53,34 @@ impl Parser {
         first
     }
 
-    /// Whether parallel brackets open here that split postures.
+    /// Whether brackets open here that split postures.
     pub(super) fn splits_postures(&self) -> bool {
-        self.opens(Bracket::Together) && self.holds() == Holds::Postures
+        self.may_split() && self.holds() == Holds::Postures
     }
 
-    /// Whether parallel brackets open here that hold places.
+    /// Whether brackets open here that hold places.
     pub(super) fn splits_places(&self) -> bool {
-        self.opens(Bracket::Together) && self.holds() == Holds::Places
+        self.may_split() && self.holds() == Holds::Places
+    }
+
+    /// Whether brackets here may be a split: parallel ones, or others with a plus that are meant as such.
+    fn may_split(&self) -> bool {
+        match self.peek() {
+            Some(Kind::Open(Bracket::Together)) => true,
+            Some(Kind::Open(Bracket::Sequence | Bracket::Fusion)) => self.plus_inside(),
+            Some(_) | None => false,
+        }
+    }
+
+    /// Whether the brackets here have a plus of their own.
+    pub(super) fn plus_inside(&self) -> bool {
+        matches!(self.peek(), Some(Kind::Open(_))) && self.plus_ahead(self.at + 1, self.closing(self.at)).is_some()
+    }
+
+    /// Whether brackets open here that split hand shapes.
+    pub(super) fn splits_shapes(&self) -> bool {
+        self.splits_postures()
+            && (self.at + 1..self.closing(self.at)).any(|at| matches!(self.kind(at), Some(Kind::Class(_))))
     }
 
     /// Whether `seq( bodypart action )` opens here.
@@ -73,17 +93,29 @@ impl Parser {
             Some(Kind::At | Kind::Beside) => open + 2,
             _other => open + 1,
         };
-        if !matches!(self.kind(open), Some(Kind::Open(_))) || !matches!(self.kind(at), Some(Kind::Body(_) | Kind::Arm(_))) {
+        if !matches!(self.kind(open), Some(Kind::Open(_)))
+            || !matches!(self.kind(at), Some(Kind::Body(_) | Kind::Arm(_)))
+        {
             return false;
         }
         at += 1;
         while matches!(self.kind(at), Some(Kind::At | Kind::Beside | Kind::Etc | Kind::Hand(_))) {
             at += 1;
         }
-        match self.kind(at) {
-            Some(Kind::Open(_) | Kind::Nothing) => true,
-            Some(kind) => is_motion(kind),
-            None => false,
+        // Parallel brackets with a plus are split places instead.
+        if self.kind(open) != Some(Kind::Open(Bracket::Sequence))
+            && self.plus_ahead(open + 1, self.closing(open)).is_some()
+        {
+            return false;
+        }
+        match (self.kind(at), self.kind(at + 1)) {
+            (
+                Some(Kind::Open(Bracket::Sequence)),
+                Some(Kind::Contact(_) | Kind::Hand(_) | Kind::Digit(_) | Kind::Part(_)),
+            ) => false,
+            (Some(Kind::Open(_) | Kind::Nothing), _) => true,
+            (Some(kind), _) => is_motion(kind),
+            (None, _) => false,
         }
     }
 }

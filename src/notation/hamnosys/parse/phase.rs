@@ -31,6 +31,7 @@ impl Parser {
             }
             let start = self.at;
             match self.phase(phases.is_empty()) {
+                Ok(phase) if says_nothing(&phase) => {}
                 Ok(phase) => phases.push(phase),
                 Err(_stop) => {
                     self.limit = whole;
@@ -64,8 +65,8 @@ impl Parser {
             phase.body.push(action);
         }
         self.posture_and_place(&mut phase)?;
-        if first && phase.posture.shape.is_none() && phase.body.is_empty() {
-            self.no_shape(&phase, begin);
+        if first {
+            self.missing(&phase, begin);
         }
         loop {
             let actions = self.actions(Within::Phase)?;
@@ -75,8 +76,8 @@ impl Parser {
                     self.warn("belongs at the beginning; it is read as if it stood there");
                     self.hands(&mut phase)?;
                 }
-                Some(Kind::Symmetry(_) | Kind::Class(_) | Kind::Weak) => {
-                    self.warn("begins another posture after a movement; `hamplus` is read before it");
+                Some(Kind::Symmetry(_) | Kind::Class(_) | Kind::Weak | Kind::Open(_)) if self.at > begin => {
+                    self.warn("begins another posture; `hamplus` is read before it");
                     break;
                 }
                 _other => break,
@@ -106,6 +107,17 @@ impl Parser {
                     Hands::Both(_) => self.skip("is a second symmetry"),
                 },
                 Some(Kind::NonIpsi) => self.skip("belongs after a symmetry"),
+                Some(
+                    Kind::Alternating
+                    | Kind::Size(_)
+                    | Kind::Bend(_)
+                    | Kind::Thumb(_)
+                    | Kind::Etc
+                    | Kind::Relative
+                    | Kind::Growth(_),
+                ) if phase.posture.is_empty() && self.posture_follows() => {
+                    self.skip("stands before the hand shape, where it says nothing");
+                }
                 _other => return Ok(()),
             }
         }
@@ -135,6 +147,13 @@ impl Parser {
         let mut stage = Stage::Nothing;
         loop {
             if self.splits_postures() {
+                // A second shape begins a phase; brackets that split nothing, after the place, hold a movement.
+                let over = stage == Stage::Place && !self.plus_inside();
+                if over || phase.posture.shape.is_some() && self.splits_shapes() {
+                    return Ok(());
+                }
+            }
+            if self.splits_postures() {
                 if stage == Stage::Place && !phase.posture.is_empty() {
                     self.warn("begins a posture after the place; it belongs before");
                 }
@@ -153,10 +172,51 @@ impl Parser {
                 self.hands(phase)?;
             } else if phase.location.is_some() && matches!(self.peek(), Some(Kind::Contact(_))) {
                 self.skip("is a second contact at the same place");
+            } else if self.splits_places() && matches!(phase.location, Some(Location::One(Site::Body { .. }))) {
+                self.hands_after_place(phase)?;
+            } else if self.stray_in_posture() {
+                self.skip("has nothing before it that it could be said of");
             } else {
                 return Ok(());
             }
         }
+    }
+
+    /// Hands at each other that stand after the place where they are.
+    fn hands_after_place(&mut self, phase: &mut Phase) -> Read<()> {
+        self.warn("begins where the hands are at each other; it belongs before the place where both are");
+        match (self.location()?, phase.location.take()) {
+            (Location::Constellation(mut hands), Some(Location::One(site))) => {
+                hands.at = hands.at.or(Some(site));
+                phase.location = Some(Location::Constellation(hands));
+            }
+            (second, first) => {
+                phase.location = first;
+                let target = Action::Target(Box::new(Action::Move(Box::new(Move::of(Motion::Nothing)))), second);
+                phase.actions.push(target);
+            }
+        }
+        Ok(())
+    }
+
+    /// Whether a symbol is here that says nothing, and the posture goes on after it.
+    fn stray_in_posture(&self) -> bool {
+        let stray = matches!(
+            self.peek(),
+            Some(
+                Kind::Size(_)
+                    | Kind::Manner(_)
+                    | Kind::Growth(_)
+                    | Kind::Etc
+                    | Kind::Relative
+                    | Kind::NonIpsi
+                    | Kind::Thumb(_)
+                    | Kind::Bend(_)
+                    | Kind::Between
+                    | Kind::Alternating
+            )
+        );
+        stray && self.kind(self.at + 1).is_some_and(|next| matches!(next, Kind::Fingers(_) | Kind::Palm(_)))
     }
 
     /// The places that stood in the brackets of a split posture.
@@ -200,18 +260,32 @@ impl Parser {
         matches!(self.kind(at), Some(Kind::Class(_)))
     }
 
-    /// Says that the first phase has no hand shape.
-    fn no_shape(&mut self, phase: &Phase, begin: usize) {
-        let (at, span) = (self.at, self.span());
-        self.at = begin;
-        let begin = self.span();
+    /// Says what the posture of the first phase lacks.
+    fn missing(&mut self, phase: &Phase, begin: usize) {
+        let posture = &phase.posture;
+        let (message, label) = match (&posture.shape, &posture.fingers, &posture.palm) {
+            (None, _, _) if phase.body.is_empty() => {
+                ("the sign has no hand shape", "the hand is read as keeping its shape")
+            }
+            (Some(_), Some(_), None) => ("the palm is not said", "the hand is read as keeping its palm"),
+            (Some(_), None, Some(_)) => {
+                ("the finger direction is not said", "the hand is read as keeping its direction")
+            }
+            (None, _, _) | (Some(_), None, None) | (Some(_), Some(_), Some(_)) => return,
+        };
+        let at = std::mem::replace(&mut self.at, begin);
+        let span = self.span();
         self.at = at;
-        let empty = phase.posture.is_empty() && phase.location.is_none();
-        let span = if empty { span } else { begin };
-        self.warn_at(span, "the sign has no hand shape", "the hand is read as keeping its shape");
+        self.warn_at(span, message, label);
     }
 }
 
+/// Whether a phase says no more than which hands act.
+fn says_nothing(phase: &Phase) -> bool {
+    phase.body.is_empty() && phase.posture.is_empty() && phase.location.is_none() && phase.actions.is_empty()
+}
+
+/// A phase of which nothing is said.
 fn nothing() -> Phase {
     Phase {
         hands: Hands::Strong,

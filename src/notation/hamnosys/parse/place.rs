@@ -44,6 +44,17 @@ impl Parser {
         }
     }
 
+    /// Whether a place of the arm here goes halfway to one of the hand.
+    pub(super) fn arm_to_hand(&self) -> bool {
+        let mut at = self.at;
+        while matches!(self.kind(at), Some(Kind::At | Kind::Beside | Kind::Etc | Kind::Arm(_) | Kind::Hand(_))) {
+            at += 1;
+        }
+        let to = if matches!(self.kind(at + 1), Some(Kind::At | Kind::Beside)) { at + 2 } else { at + 1 };
+        self.kind(at) == Some(Kind::Between)
+            && matches!(self.kind(to), Some(Kind::Hand(_) | Kind::Digit(_) | Kind::Part(_)))
+    }
+
     /// Reads a place of body or arm.
     pub(super) fn body_level(&mut self) -> Read<BodyLevel> {
         let side = self.side_before();
@@ -92,9 +103,24 @@ impl Parser {
                 self.next();
                 Some(self.hand_level()?)
             }
+            _other if self.another_part(&first) => {
+                self.warn("follows another part of the hand; the place is read as halfway between the two");
+                Some(self.hand_level()?)
+            }
             _other => None,
         };
         Ok(HandLevels { first, between })
+    }
+
+    /// Whether a part of the hand follows one directly.
+    fn another_part(&self, first: &HandLevel) -> bool {
+        let whole = matches!(first.part, HandPlace::Hand(_));
+        match (self.peek(), self.ahead(1)) {
+            (Some(Kind::Digit(_)), Some(Kind::NamesPlace | Kind::NamedPlace)) => false,
+            (Some(Kind::Digit(_) | Kind::Part(_)), _) => whole,
+            (Some(Kind::Hand(_)), _) => true,
+            _other => false,
+        }
     }
 
     /// Reads a part of a hand.

@@ -9,6 +9,7 @@
 //! The order that HamNoSys wants is shape, fingers, palm; another is read with a warning.
 
 use super::cursor::{Handed, Parser, Read};
+use crate::diagnostics::Span;
 use crate::notation::hamnosys::kind::{Bracket, Kind};
 use crate::notation::hamnosys::syntax::*;
 use crate::phonology::Direction;
@@ -43,9 +44,9 @@ impl Parser {
     /// Reads one part of a posture into it, if one is here; whether there was one. `stage` is how far the parts are.
     pub(super) fn posture_part(&mut self, posture: &mut Posture, stage: &mut Stage) -> Read<bool> {
         match self.peek() {
-            Some(Kind::Class(class)) if posture.shape.is_none() => {
+            Some(_) if posture.shape.is_none() && self.shape_ahead() => {
                 self.in_order(stage, Stage::Shape);
-                posture.shape = Some(Split::Both(self.shape(class)));
+                posture.shape = Some(Split::Both(self.shape()?));
             }
             Some(Kind::Fingers(_)) if posture.fingers.is_none() => {
                 self.in_order(stage, Stage::Fingers);
@@ -182,18 +183,32 @@ impl Parser {
 
     /// Reads a split posture, whose bracket is here, into a posture; the places of its sides come back.
     pub(super) fn split_posture(&mut self, posture: &mut Posture) -> Read<Option<(Option<Site>, Option<Site>)>> {
+        let span = self.span();
         let (strong, weak) = self.sides()?;
         let Some(weak) = weak else {
-            put(&mut posture.shape, strong.shape.map(Split::Both));
-            put(&mut posture.fingers, strong.fingers.map(Split::Both));
-            put(&mut posture.palm, strong.palm.map(Split::Both));
+            let dropped = put(&mut posture.shape, strong.shape.map(Split::Both))
+                | put(&mut posture.fingers, strong.fingers.map(Split::Both))
+                | put(&mut posture.palm, strong.palm.map(Split::Both));
+            self.dropped(dropped, span);
             return Ok(strong.site.map(|site| (Some(site), None)));
         };
         self.handed = Handed::Two;
-        put(&mut posture.shape, each(strong.shape, weak.shape));
-        put(&mut posture.fingers, each(strong.fingers, weak.fingers));
-        put(&mut posture.palm, each(strong.palm, weak.palm));
+        let dropped = put(&mut posture.shape, each(strong.shape, weak.shape))
+            | put(&mut posture.fingers, each(strong.fingers, weak.fingers))
+            | put(&mut posture.palm, each(strong.palm, weak.palm));
+        self.dropped(dropped, span);
         Ok((strong.site.is_some() || weak.site.is_some()).then_some((strong.site, weak.site)))
+    }
+
+    /// Says that brackets hold a value that was said before.
+    fn dropped(&mut self, dropped: bool, span: Span) {
+        if dropped {
+            self.warn_at(
+                span,
+                "these brackets say again what was said of the posture before",
+                "the second time is passed over",
+            );
+        }
     }
 
     /// Reads the two sides of a bracket that splits; one where nothing splits it.
@@ -229,7 +244,7 @@ impl Parser {
         let mut side = SideOfSplit::default();
         loop {
             match self.peek() {
-                Some(Kind::Class(class)) if side.shape.is_none() => side.shape = Some(self.shape(class)),
+                Some(_) if side.shape.is_none() && self.shape_ahead() => side.shape = Some(self.shape()?),
                 Some(Kind::Fingers(_)) if side.fingers.is_none() => side.fingers = Some(self.fingers()),
                 Some(Kind::Palm(_)) if side.palm.is_none() => side.palm = Some(self.palm()),
                 Some(Kind::Nothing) => self.next(),
@@ -240,13 +255,28 @@ impl Parser {
                     }
                     self.next();
                 }
+                Some(
+                    Kind::Thumb(_)
+                    | Kind::Bend(_)
+                    | Kind::Size(_)
+                    | Kind::Manner(_)
+                    | Kind::Etc
+                    | Kind::Relative
+                    | Kind::Between
+                    | Kind::NonIpsi,
+                ) => self.skip("has nothing before it that it could be said of"),
+                Some(Kind::At | Kind::Beside | Kind::Behind) if !self.site_ahead() => {
+                    self.skip("has no place beside it")
+                }
                 Some(Kind::Open(Bracket::Together)) => {
                     self.warn("is one bracket too many; what it holds is read as if it were not there");
                     let inner = self.inside(Parser::side)?;
-                    put(&mut side.shape, inner.shape);
-                    put(&mut side.fingers, inner.fingers);
-                    put(&mut side.palm, inner.palm);
-                    put(&mut side.site, inner.site);
+                    let dropped = put(&mut side.shape, inner.shape)
+                        | put(&mut side.fingers, inner.fingers)
+                        | put(&mut side.palm, inner.palm)
+                        | put(&mut side.site, inner.site);
+                    let span = self.span_before();
+                    self.dropped(dropped, span);
                 }
                 Some(_) if side.site.is_none() && self.site_ahead() => side.site = Some(self.site()?),
                 _other => return Ok(side),
@@ -279,9 +309,14 @@ fn each<T>(strong: Option<T>, weak: Option<T>) -> Option<Split<T>> {
     (strong.is_some() || weak.is_some()).then_some(Split::Each(strong, weak))
 }
 
-/// Puts a value where there is none.
-fn put<T>(place: &mut Option<T>, value: Option<T>) {
-    if place.is_none() {
-        *place = value;
+/// Puts a value where there is none; whether a value found no place.
+fn put<T>(place: &mut Option<T>, value: Option<T>) -> bool {
+    match (&place, &value) {
+        (Some(_), Some(_)) => true,
+        (Some(_), None) | (None, None) => false,
+        (None, Some(_)) => {
+            *place = value;
+            false
+        }
     }
 }

@@ -5,15 +5,41 @@
 //! special = between finger finger | between | thumb | part
 //! ```
 
-use super::cursor::Parser;
+use super::cursor::{Parser, Read};
 use crate::notation::hamnosys::kind::Kind;
 use crate::notation::hamnosys::syntax::*;
 use crate::phonology::Digit;
 
 impl Parser {
-    /// Reads a shape; its class is here.
-    pub(super) fn shape(&mut self, class: ShapeClass) -> Shape {
+    /// Whether a shape begins here, perhaps with its thumb or bend before its class.
+    pub(super) fn shape_ahead(&self) -> bool {
+        matches!(self.kind(self.class_after_modifiers()), Some(Kind::Class(_)))
+    }
+
+    /// Where the class is that thumbs and bends here stand before.
+    fn class_after_modifiers(&self) -> usize {
+        const MOST: usize = 4;
+        let mut at = self.at;
+        while at < self.at + MOST && matches!(self.kind(at), Some(Kind::Thumb(_) | Kind::Bend(_))) {
+            at += 1;
+        }
+        at
+    }
+
+    /// Reads a shape, which is here.
+    pub(super) fn shape(&mut self) -> Read<Shape> {
+        let at = self.class_after_modifiers();
+        let Some(Kind::Class(class)) = self.kind(at) else { return self.unexpected(&["a hand shape"]) };
         let mut shape = Shape::of(class);
+        while self.at < at {
+            self.warn("belongs after the hand shape; it is read as if it stood there");
+            match self.peek() {
+                Some(Kind::Thumb(thumb)) => shape.main.thumb = Some(thumb),
+                Some(Kind::Bend(bend)) => shape.main.bend = Some(bend),
+                _other => {}
+            }
+            self.next();
+        }
         self.next();
         self.class_modifiers(&mut shape, Halfway::No);
         if let (Some(Kind::Between), Some(Kind::Class(class))) = (self.peek(), self.ahead(1)) {
@@ -22,7 +48,7 @@ impl Parser {
             self.class_modifiers(&mut shape, Halfway::Yes);
         }
         while self.digits(&mut shape) {}
-        shape
+        Ok(shape)
     }
 
     /// Thumb, bend and `hametc` after a class.
@@ -60,7 +86,7 @@ impl Parser {
                     shape.thumb = Some(ThumbSpecial::Between(a, b));
                     self.at += 3;
                 }
-                (Some(Kind::Digit(a)), _) => {
+                (Some(Kind::Digit(a)), next) if next != Some(Kind::NamesPlace) => {
                     self.warn("needs two fingers: the thumb is read as between this finger and the next");
                     let next = Digit::ALL[(a as usize + 1).min(4)];
                     shape.thumb = Some(ThumbSpecial::Between(a, next));
@@ -132,12 +158,15 @@ impl Parser {
 
     /// Whether the digits and parts here are a place, because a contact, a side or a face follows them, or a name of a place.
     fn place_ahead(&self) -> bool {
+        const MOST: usize = 12;
         let mut at = self.at;
-        while matches!(self.kind(at), Some(Kind::Digit(_) | Kind::Part(_))) {
+        while at < self.at + MOST && matches!(self.kind(at), Some(Kind::Digit(_) | Kind::Part(_))) {
             at += 1;
         }
         match self.kind(at) {
-            Some(Kind::Contact(_) | Kind::NamesPlace | Kind::NamedPlace | Kind::Hand(_) | Kind::Behind) => true,
+            Some(Kind::Contact(_) | Kind::Hand(_) | Kind::Behind) => true,
+            // Of digits before a name, only the last is its number.
+            Some(Kind::NamesPlace | Kind::NamedPlace) => at == self.at + 1,
             // A side may also belong to the place that follows.
             Some(Kind::At | Kind::Beside) => !matches!(self.kind(at + 1), Some(Kind::Body(_) | Kind::Arm(_))),
             _other => false,

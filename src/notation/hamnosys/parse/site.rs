@@ -31,13 +31,17 @@ impl Parser {
         matches!(self.ahead(steps), Some(Kind::Body(_) | Kind::Arm(_) | Kind::Hand(_) | Kind::Digit(_) | Kind::Part(_)))
     }
 
+    /// The class of what is some steps on, a side passed over.
+    fn place_after_side(&self, steps: usize) -> Option<Kind> {
+        match self.ahead(steps) {
+            Some(Kind::At | Kind::Beside) => self.ahead(steps + 1),
+            kind => kind,
+        }
+    }
+
     /// Whether a place of body or arm, or neutral space, begins here.
     fn body_site_ahead(&self) -> bool {
-        match self.peek() {
-            Some(Kind::Body(_) | Kind::Arm(_) | Kind::Neutral) => true,
-            Some(Kind::At | Kind::Beside) => matches!(self.ahead(1), Some(Kind::Body(_) | Kind::Arm(_))),
-            _other => false,
-        }
+        matches!(self.place_after_side(0), Some(Kind::Body(_) | Kind::Arm(_) | Kind::Neutral))
     }
 
     /// Whether `seq( contact … )` or `seq( hand part … )` opens here.
@@ -54,10 +58,13 @@ impl Parser {
             self.warn("belongs after the place");
             self.next();
         }
-        let after_side = if matches!(self.peek(), Some(Kind::At | Kind::Beside)) { self.ahead(1) } else { self.peek() };
+        let after_side = self.place_after_side(0);
         let mut site = match (after_side, self.ahead(1)) {
             (Some(Kind::Digit(digit)), Some(Kind::NamedPlace)) => return Ok(self.named_site(digit)),
             (Some(Kind::NamedPlace), Some(Kind::Digit(digit))) => return Ok(self.named_site(digit)),
+            (Some(Kind::Arm(_)), _) if self.arm_to_hand() => {
+                Site::Hand { level: self.hand_levels()?, contact: early, with: None }
+            }
             (Some(Kind::Body(_) | Kind::Arm(_)), _) => {
                 let level = Some(self.body_levels()?);
                 Site::Body { level, behind: behind_first, contact: early, with: None }
@@ -73,7 +80,49 @@ impl Parser {
             _other => return self.unexpected(&["a place"]),
         };
         self.how_near(&mut site)?;
-        Ok(site)
+        self.other_part(site)
+    }
+
+    /// A part of the hand beside a place of the body, without the brackets that it needs.
+    fn other_part(&mut self, site: Site) -> Read<Site> {
+        const MENDED: &str =
+            "the part of the hand at a place belongs after it, in `hamseqbegin` contact part `hamseqend`";
+        match site {
+            Site::Hand { level: hand, contact, with: None } if self.body_site_ahead() => {
+                let span = self.span_before();
+                self.warn_at(span, MENDED, "read as if it stood there");
+                let mut body = self.site()?;
+                if let Site::Body { contact: near, with, .. } = &mut body {
+                    *near = near.or(contact).or(Some(Contact::Touch));
+                    *with = Some(with.take().unwrap_or(hand));
+                }
+                Ok(body)
+            }
+            Site::Body { level: Some(level), behind, contact, with: None } if self.hand_part_ahead() => {
+                let span = self.span();
+                self.warn_at(span, MENDED, "read as if it stood there");
+                let hand = self.hand_levels()?;
+                let near = match self.peek() {
+                    Some(Kind::Contact(near)) => {
+                        self.next();
+                        Some(near)
+                    }
+                    _other => contact,
+                };
+                let contact = contact.or(near).or(Some(Contact::Touch));
+                Ok(Site::Body { level: Some(level), behind, contact, with: Some(hand) })
+            }
+            site => Ok(site),
+        }
+    }
+
+    /// Whether a part of the hand is here that no name of a place follows.
+    fn hand_part_ahead(&self) -> bool {
+        match self.peek() {
+            Some(Kind::Hand(_) | Kind::Part(_)) => true,
+            Some(Kind::Digit(_)) => !matches!(self.ahead(1), Some(Kind::NamesPlace | Kind::NamedPlace)),
+            _other => false,
+        }
     }
 
     /// A contact before the place that it is of.
@@ -137,8 +186,14 @@ impl Parser {
                     Contact::Touch
                 }
             };
-            let hand_ahead = p.site_ahead() && !p.body_site_ahead() || matches!(p.peek(), Some(Kind::Arm(_)));
-            let hand = if hand_ahead { Some(p.hand_levels()?) } else { None };
+            let hand = match p.place_after_side(0) {
+                Some(Kind::Hand(_) | Kind::Digit(_) | Kind::Part(_) | Kind::Arm(_)) => Some(p.hand_levels()?),
+                _other => None,
+            };
+            if p.body_site_ahead() {
+                p.warn("is no part of the hand; it is passed over");
+                p.site()?;
+            }
             while let Some(Kind::Contact(_)) = p.peek() {
                 p.skip("is a second contact at the same place");
             }
@@ -161,32 +216,59 @@ impl Parser {
                 }
                 self.constellation(None)
             }
-            Some(Kind::Open(Bracket::Sequence)) => self.constellation(None),
-            Some(Kind::Open(_)) => {
-                let (strong, weak) = self.sides()?;
-                if !strong.posture_is_empty() || weak.as_ref().is_some_and(|side| !side.posture_is_empty()) {
-                    let span = self.span_before();
-                    self.warn_at(span, "these brackets hold postures beside places", "the postures are passed over");
-                }
-                match (strong.site, weak) {
-                    (strong, Some(weak)) => match points(strong, weak.site) {
-                        Ok(points) => self.constellation(Some(points)),
-                        Err(location) => Ok(location),
-                    },
-                    (Some(site), None) => Ok(Location::One(site)),
-                    (None, None) => self.unexpected(&["a place"]),
-                }
+            Some(Kind::Open(Bracket::Sequence)) if self.splits_places() => self.split_places(),
+            Some(Kind::Open(Bracket::Sequence)) if matches!(self.place_after_side(2), Some(Kind::Body(_))) => {
+                self.warn("begins brackets around one place, which say nothing");
+                Ok(Location::One(self.inside(Parser::site)?))
             }
+            Some(Kind::Open(Bracket::Sequence)) => self.constellation(None),
+            Some(Kind::Open(_)) => self.split_places(),
             _other => Ok(Location::One(self.site()?)),
         }
     }
 
-    fn body_site_after_contact(&self) -> bool {
-        match self.ahead(1) {
-            Some(Kind::Body(_) | Kind::Arm(_) | Kind::Neutral) => true,
-            Some(Kind::At | Kind::Beside) => matches!(self.ahead(2), Some(Kind::Body(_) | Kind::Arm(_))),
-            _other => false,
+    /// Reads the brackets of two places, which are here, and how the hands meet there.
+    fn split_places(&mut self) -> Read<Location> {
+        if !self.plus_inside()
+            && (self.at + 1..self.closing(self.at))
+                .any(|at| matches!(self.kind(at), Some(Kind::Open(Bracket::Together))))
+        {
+            self.warn("begins brackets around one place, which say nothing");
+            return self.inside(Parser::location);
         }
+        let (strong, weak) = self.sides()?;
+        if !strong.posture_is_empty() || weak.as_ref().is_some_and(|side| !side.posture_is_empty()) {
+            let span = self.span_before();
+            self.warn_at(span, "these brackets hold postures beside places", "the postures are passed over");
+        }
+        match (strong.site, weak) {
+            (strong, Some(weak)) => match points(strong, weak.site) {
+                Ok(points) => self.constellation(Some(points)),
+                Err(mut location) => {
+                    self.contact_of_split(&mut location);
+                    Ok(location)
+                }
+            },
+            (Some(site), None) => Ok(Location::One(site)),
+            (None, None) => self.unexpected(&["a place"]),
+        }
+    }
+
+    /// A contact after the brackets of two places, which is said of both.
+    fn contact_of_split(&mut self, location: &mut Location) {
+        let (Some(Kind::Contact(contact)), Location::Split(strong, weak)) = (self.peek(), location) else { return };
+        self.warn("belongs after each place, inside the brackets; it is read as said of both");
+        for site in strong.iter_mut().chain(weak) {
+            if let Some(of_site) = contact_of(site) {
+                *of_site = of_site.or(Some(contact));
+            }
+        }
+        self.next();
+    }
+
+    /// Whether a place of body or arm, or neutral space, comes after the contact here.
+    fn body_site_after_contact(&self) -> bool {
+        matches!(self.place_after_side(1), Some(Kind::Body(_) | Kind::Arm(_) | Kind::Neutral))
     }
 
     /// Reads how two hands meet and where, after their points.

@@ -26,8 +26,10 @@ impl Writer {
     pub(super) fn actions_of_phase(&mut self, actions: &[Action], begin: usize) {
         let [first, rest @ ..] = actions else { return };
         // At the very beginning, no motion would say that a hand holds over, and a body part that it acts before.
-        let at_beginning = self.out.len() == begin || matches!(self.last(), Some(Kind::Symmetry(_) | Kind::Weak | Kind::NonIpsi));
-        let bare = self.out[begin..].iter().all(|s| !matches!(s.kind(), Kind::Class(_) | Kind::Fingers(_) | Kind::Palm(_)));
+        let at_beginning =
+            self.out.len() == begin || matches!(self.last(), Some(Kind::Symmetry(_) | Kind::Weak | Kind::NonIpsi));
+        let bare =
+            self.out[begin..].iter().all(|s| !matches!(s.kind(), Kind::Class(_) | Kind::Fingers(_) | Kind::Palm(_)));
         let symbols = self.apart(|w| w.action(first));
         let starts = symbols.first().map(|symbol| symbol.kind());
         let confused = match starts {
@@ -35,7 +37,8 @@ impl Writer {
             Some(Kind::Open(_)) => bare && matches!(first, Action::OfBody(..)),
             Some(_) | None => false,
         };
-        let confused = confused || matches!((first, starts), (Action::Target(inner, _) | Action::Repeated(inner, _) | Action::Alternating(inner, _), Some(Kind::Open(_))) if bare && begins_with_body(inner));
+        let confused = confused
+            || matches!((first, starts), (Action::Target(inner, _) | Action::Repeated(inner, _) | Action::Alternating(inner, _), Some(Kind::Open(_))) if bare && begins_with_body(inner));
         self.append(symbols, if confused { Brackets::Yes } else { Brackets::No });
         self.more_actions(rest);
     }
@@ -77,10 +80,8 @@ impl Writer {
         match action {
             Action::Move(one) => self.one_move(one),
             Action::Target(inner, location) => {
-                let handed = self.handed;
                 let inside = self.apart(|w| w.action(inner));
                 let place = self.apart(|w| w.location(location));
-                let _ = handed;
                 let confused = ends_at_place(inner) || takes(inner, place.first().map(|symbol| symbol.kind()));
                 self.append(inside, if confused { Brackets::Yes } else { Brackets::No });
                 self.out.extend(place);
@@ -208,7 +209,9 @@ fn takes(action: &Action, after: Option<Kind>) -> bool {
 fn begins_with_body(action: &Action) -> bool {
     match action {
         Action::OfBody(..) => true,
-        Action::Target(inner, _) | Action::Repeated(inner, _) | Action::Alternating(inner, _) => begins_with_body(inner),
+        Action::Target(inner, _) | Action::Repeated(inner, _) | Action::Alternating(inner, _) => {
+            begins_with_body(inner)
+        }
         Action::Move(_) | Action::Together(_) | Action::Sequence(_) | Action::Fused(_) | Action::Split(..) => false,
     }
 }

@@ -43,7 +43,9 @@ impl Writer {
         }
         match &constellation.at {
             None => {}
-            Some(Site::Hand { .. }) => self.cannot("HamNoSys has two hands at a place of the body, not at one of a hand"),
+            Some(Site::Hand { .. }) => {
+                self.cannot("HamNoSys has two hands at a place of the body, not at one of a hand")
+            }
             Some(site) => {
                 if self.handed == Handed::One && constellation.points.is_none() {
                     self.cannot("HamNoSys reads a contact before a place as that of one hand, in a sign of one hand");
@@ -98,7 +100,9 @@ impl Writer {
                 self.hand_levels(hand);
                 self.put("hamseqend");
             }
-            (None, Some(_)) => self.cannot("HamNoSys says the part of the hand that is at a place with a contact alone"),
+            (None, Some(_)) => {
+                self.cannot("HamNoSys says the part of the hand that is at a place with a contact alone")
+            }
         }
     }
 

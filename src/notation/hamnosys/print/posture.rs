@@ -17,7 +17,10 @@ impl Posture {
     /// Whether symbols of this class, written after the posture, would be read as a part of its shape.
     pub(super) fn takes(&self, after: Option<Kind>) -> bool {
         let (Some(Split::Both(shape)), None, None) = (&self.shape, &self.fingers, &self.palm) else { return false };
-        let in_digits = !shape.fingers.is_empty() || !shape.bends.is_empty() || !shape.crossings.is_empty() || shape.thumb.is_some();
+        let in_digits = !shape.fingers.is_empty()
+            || !shape.bends.is_empty()
+            || !shape.crossings.is_empty()
+            || shape.thumb.is_some();
         match after {
             Some(Kind::Digit(_) | Kind::Part(_)) => true,
             Some(Kind::Hand(_) | Kind::Contact(_) | Kind::At | Kind::Beside) => in_digits,
