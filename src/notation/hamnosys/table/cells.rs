@@ -94,7 +94,7 @@ impl<'a> Scanner<'a> {
     fn plain(&mut self, start: usize) -> Cell<'a> {
         let ends = |byte: &u8| *byte == self.separator || *byte == b'\n';
         let rest = &self.text.as_bytes()[self.at..];
-        self.at += rest.iter().position(|byte| ends(byte)).unwrap_or(rest.len());
+        self.at += rest.iter().position(ends).unwrap_or(rest.len());
         self.cell(start, self.at, Form::Verbatim)
     }
 
