@@ -7,6 +7,8 @@ mod format_glb;
 mod phonology_handshape;
 
 mod cli;
+mod cli_check;
+mod cli_convert;
 mod cli_each;
 mod cli_profile;
 mod docs_notation;
@@ -50,3 +52,4 @@ mod synthesis_path;
 mod synthesis_plan;
 mod synthesis_routes;
 mod synthesis_sign;
+mod synthesis_verify;
