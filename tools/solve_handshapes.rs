@@ -1,12 +1,15 @@
 //! Puts every handshape of `grammar/handshapes.ron` on the avatar's mesh and writes the solved angles back.
 //!
-//!     cargo run --release --example solve_handshapes [-- --only ID] [--dump rotations.json] [--keep]
+//!     cargo run --release --example solve_handshapes [-- --only ID,ID] [--dump rotations.json] [--keep]
 //!
 //! For each row the fingers and the thumb are solved together (damped least squares on the skinned mesh): the
 //! named contact is made, nothing enters anything, closed fingers close on the palm, fingers that lie together
 //! touch, every joint stays within limits and each finger within 15° of the table. `--dump` writes the finger
-//! joints' rotations of all shapes for `tools/shots/handshapes.mjs`; `--keep` leaves the table as it is.
+//! joints' rotations of all shapes for `tools/shots/handshapes.mjs`; `--keep` leaves the table as it is. `--try FILE` measures instead the
+//! configurations of a file, one a line, as gestural SiGML names their parts (`handshape=flat thumbpos=out`).
 
+#[path = "solve_handshapes/configurations.rs"]
+mod configurations;
 #[path = "solve_handshapes/goals.rs"]
 mod goals;
 #[path = "solve_handshapes/least_squares.rs"]
@@ -35,6 +38,14 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         .map_err(|faults| Error::new(faults.iter().map(|f| f.message.clone()).collect::<Vec<_>>().join("; ")))?;
     let skeleton = Skeleton::from_json(avatar::SKELETON)?;
     let hand = HandSkin::new(&skeleton, &avatar::skin(&skeleton)?, Side::Left)?;
+    if let Some(path) = value("--try") {
+        let hands = configurations::hands(&inventory, &std::fs::read_to_string(path)?);
+        configurations::measure(&skeleton, &hand, &hands)?;
+        if let Some(path) = value("--dump") {
+            std::fs::write(path, report::rotations(&skeleton, &hands)?)?;
+        }
+        return Ok(());
+    }
     let mut shapes = inventory.shapes().to_vec();
     if !keep {
         let only = value("--only");
@@ -45,7 +56,8 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         println!("{}", report::line(&hand, shape));
     }
     if let Some(path) = value("--dump") {
-        std::fs::write(path, report::rotations(&skeleton, &shapes)?)?;
+        let hands: Vec<_> = shapes.iter().map(|s| (s.id.clone(), s.angles())).collect();
+        std::fs::write(path, report::rotations(&skeleton, &hands)?)?;
     }
     Ok(())
 }
@@ -61,7 +73,7 @@ fn solve_all(hand: &HandSkin, shapes: &mut [Handshape], only: Option<&str>) {
                 loop {
                     let i = next.fetch_add(1, Ordering::Relaxed);
                     let Some(shape) = rows.get(i) else { break };
-                    if only.is_none_or(|id| id == shape.id) {
+                    if only.is_none_or(|ids| ids.split(',').any(|id| id == shape.id)) {
                         let result = solve(hand, shape);
                         solved.lock().unwrap_or_else(PoisonError::into_inner).push((i, result));
                     }

@@ -65,6 +65,17 @@ pub struct ContactPoint {
 }
 
 impl ContactPoint {
+    /// The middle of landmarks, of which there is at least one.
+    pub(crate) fn of(parts: Vec<Landmark>) -> ContactPoint {
+        ContactPoint { parts }
+    }
+
+    /// The point moved by a vector in its joints' rest axes, metres.
+    pub(crate) fn moved(mut self, by: DVec3) -> ContactPoint {
+        self.parts.iter_mut().for_each(|part| part.offset += by);
+        self
+    }
+
     /// The landmarks whose middle it is; at least one.
     pub fn parts(&self) -> &[Landmark] {
         &self.parts
@@ -211,24 +222,44 @@ impl Landmarks {
     /// the upper arm on its outer face, the lower arm on its back. Several digits mean their middle. The wrist is the joint
     /// itself; it has no skin, and its normal is that of the hand's back.
     ///
+    /// A face that the table lacks is the part itself. Halfway to a second point is the middle of both.
+    ///
     /// # Errors
     /// Names the landmark that the table lacks.
     pub fn hand_point(&self, side: Side, point: HandPoint) -> Result<ContactPoint, Error> {
+        let first = self.spot(side, point.first())?;
+        let Some(second) = point.second() else { return Ok(ContactPoint { parts: first }) };
+        let second = self.spot(side, second)?;
+        // Each counts half, however many digits it is the middle of.
+        let (a, b) = (first.len(), second.len());
+        let parts = first.into_iter().flat_map(|l| vec![l; b]).chain(second.into_iter().flat_map(|l| vec![l; a]));
+        Ok(ContactPoint { parts: parts.collect() })
+    }
+
+    /// The landmarks of a point that lies halfway to no other.
+    fn spot(&self, side: Side, point: HandPoint) -> Result<Vec<Landmark>, Error> {
         if point.part() == HandPart::Wrist {
             let joint = self.wrists[usize::from(side == Side::Right)];
-            return Ok(ContactPoint { parts: vec![Landmark { joint, offset: DVec3::ZERO, normal: DVec3::Y }] });
+            return Ok(vec![Landmark { joint, offset: DVec3::ZERO, normal: DVec3::Y }]);
         }
         let one = |digit: Option<Digit>| {
-            let name = landmark_name(digit, point.part(), point.flank());
-            let found = self.hand.get(&(side, name.clone())).copied();
-            found.ok_or_else(|| Error::new(format!("there is no landmark for the hand's point \"{name}\"")))
+            let named = |flank| self.hand.get(&(side, landmark_name(digit, point.part(), flank))).copied();
+            named(point.flank()).or_else(|| named(None)).ok_or_else(|| {
+                let name = landmark_name(digit, point.part(), point.flank());
+                Error::new(format!("there is no landmark for the hand's point \"{name}\""))
+            })
         };
-        let parts = if point.part().needs_digit() {
-            point.digits().iter().map(|digit| one(Some(digit))).collect::<Result<Vec<_>, _>>()?
+        if point.part().needs_digit() {
+            point.digits().iter().map(|digit| one(Some(digit))).collect()
         } else {
-            vec![one(None)?]
-        };
-        Ok(ContactPoint { parts })
+            Ok(vec![one(None)?])
+        }
+    }
+
+    /// A point of the signing space, carried by the upper spine; `arms` is from the middle of the shoulders, arm lengths
+    /// (x left, y up, z out). Its normal points away from the signer.
+    pub fn before(&self, arms: DVec3) -> Landmark {
+        Landmark { offset: self.neutral.offset + (arms - NEUTRAL_PLACE_ARMS) * self.arm_length, ..self.neutral }
     }
 
     /// The ids of the places of the body that have a landmark, sorted.

@@ -55,6 +55,27 @@ impl Turn {
     }
 }
 
+/// How a shoulder stands away from its rest, radians.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Shoulder {
+    /// Up.
+    pub raised: f64,
+    /// Towards the front.
+    pub forward: f64,
+}
+
+impl Shoulder {
+    /// The turn of the clavicle.
+    pub fn rotation(self, side: Side) -> DQuat {
+        DQuat::from_rotation_y(-self.forward * side.sign()) * DQuat::from_rotation_z(self.raised * side.sign())
+    }
+
+    /// Whether it is at rest.
+    pub fn is_zero(self) -> bool {
+        self == Shoulder::default()
+    }
+}
+
 impl Signer {
     /// Finds the parts of a body.
     ///
@@ -104,6 +125,12 @@ impl Signer {
         pose.set(self.head, turn.rotation(0.6));
     }
 
+    /// Pushes the head forward over the trunk, or back: the neck leans and the face stays upright. Radians of the neck.
+    pub fn push_head(&self, angle: f64, pose: &mut LocalPose) {
+        pose.set(self.neck, pose.rotation(self.neck) * DQuat::from_rotation_x(angle));
+        pose.set(self.head, DQuat::from_rotation_x(-angle) * pose.rotation(self.head));
+    }
+
     /// Turns the eyes.
     pub fn turn_eyes(&self, turn: Turn, pose: &mut LocalPose) {
         for joint in self.eyes.iter().flatten() {
@@ -111,11 +138,11 @@ impl Signer {
         }
     }
 
-    /// Lifts a shoulder by the clavicle, radians from where it rests; the arm hangs as it hung.
-    pub fn raise_shoulder(&self, side: Side, angle: f64, pose: &mut LocalPose) {
+    /// Moves a shoulder by the clavicle from where it rests; the arm hangs as it hung.
+    pub fn move_shoulder(&self, side: Side, shoulder: Shoulder, pose: &mut LocalPose) {
         let arm = self.arm(side);
         let before = pose.rotation(arm.clavicle);
-        let raised = DQuat::from_rotation_z((SHOULDER_AT_REST + angle) * side.sign());
+        let raised = Shoulder { raised: SHOULDER_AT_REST + shoulder.raised, ..shoulder }.rotation(side);
         pose.set(arm.clavicle, raised);
         pose.set(arm.upper, (raised.inverse() * before * pose.rotation(arm.upper)).normalize());
     }
@@ -124,7 +151,7 @@ impl Signer {
     pub fn neutral(&self, relaxed: &HandAngles) -> LocalPose {
         let mut pose = LocalPose::rest(&self.skeleton);
         for side in [Side::Left, Side::Right] {
-            self.raise_shoulder(side, 0.0, &mut pose);
+            self.move_shoulder(side, Shoulder::default(), &mut pose);
             self.hand(side).apply(relaxed, &mut pose);
         }
         let model = pose.to_model(&self.skeleton);

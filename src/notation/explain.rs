@@ -1,26 +1,23 @@
-//! A sign in plain words, one tier a line, each with where it came from: stated, default, symmetry.
-//!
-//! In English the values stand as they are written in a sign, in French they are said in words.
+//! A sign in plain words, one tier a line, each with where it came from: stated, default, symmetry; phase by phase.
 
+mod english;
+mod english_movement;
+mod english_noun;
 mod french;
 mod french_movement;
 mod french_noun;
 mod phrases;
 
-use super::print::{expression, value};
-use super::raise::raise;
-use super::syntax::{Content, Value};
-use crate::phonology::operator::Operator;
-use crate::phonology::recombination::{Base, Recombination};
-use crate::phonology::{Hand, Hands, LocationInventory, Manual, Relation, Sign};
+use crate::phonology::recombination::Recombination;
+use crate::phonology::{Action, Hand, Hands, Keys, LocationInventory, Manual, Motion, Movement, Relation, Sign};
 use phrases::Phrases;
 
 /// The language of an explanation.
 #[derive(Debug, Clone, Copy)]
 pub enum Tongue<'l> {
-    /// Values are as they are written in a sign.
+    /// English.
     English,
-    /// Values are said in words; the inventory has the places' names.
+    /// French; the inventory has the places' names.
     French(&'l LocationInventory),
 }
 
@@ -74,129 +71,89 @@ pub fn explain_in(sign: &Sign, from: Option<&Recombination>, tongue: Tongue) -> 
     out.push('\n');
     if let Some(from) = from {
         let made = match tongue {
-            Tongue::English => making(from),
+            Tongue::English => english::making(from),
             Tongue::French(names) => french::making(from, names),
         };
         out.push_str(&format!("  {}{}{made}\n", p.made_from, p.colon));
     }
-    let mut say = |what: &str, text: &str, from: &str| out.push_str(&format!("  {what}{}{text} ({from})\n", p.colon));
-    say(p.hands, &hands(sign.hands, p), if sign.hands == Hands::Strong { p.default } else { p.stated });
-    say(p.counts, &counts(sign.intervals, p), p.counted);
-    for hand in Hand::BOTH {
-        if !acts(sign.hands, hand) {
-            continue;
+    for (number, phase) in sign.phases().enumerate() {
+        if !sign.then.is_empty() {
+            let stays = if phase.holds_over { p.other_stays } else { "" };
+            out.push_str(&format!("  {} {}{stays}{}\n", p.phase[number.min(1)], number + 1, p.colon.trim_end()));
         }
+        let mut lines = String::new();
+        explain_phase(phase, tongue, &mut lines);
+        if number > 0 {
+            times(phase, tongue).into_iter().for_each(|(label, text)| say(&mut lines, p, label, &text, p.stated));
+        }
+        // Several phases stand under their headings.
+        let indent = if sign.then.is_empty() { "" } else { "  " };
+        lines.lines().for_each(|line| out.push_str(&format!("{indent}{line}\n")));
+    }
+    times(sign, tongue).into_iter().for_each(|(label, text)| say(&mut out, p, label, &text, p.stated));
+    if sign.duration.is_none() {
+        say(&mut out, p, p.duration, p.from_movements, p.default);
+    }
+    let whole = match tongue {
+        Tongue::English => english::whole(sign),
+        Tongue::French(names) => french::whole(sign, names),
+    };
+    whole.into_iter().for_each(|(label, text)| say(&mut out, p, label, &text, p.stated));
+    out
+}
+
+fn say(out: &mut String, p: &Phrases, what: &str, text: &str, from: &str) {
+    out.push_str(&format!("  {what}{}{text} ({from})\n", p.colon));
+}
+
+/// The hands and their tiers in a phase, one a line.
+fn explain_phase(sign: &Sign, tongue: Tongue, out: &mut String) {
+    let p = tongue.phrases();
+    say(out, p, p.hands, &hands(sign.hands, p), if sign.hands == Hands::Strong { p.default } else { p.stated });
+    say(out, p, p.counts, &counts(sign.intervals, p), p.counted);
+    for hand in Hand::BOTH.into_iter().filter(|hand| acts(sign.hands, *hand)) {
         let name = if hand == Hand::Strong { p.strong } else { p.weak };
-        for (number, ([label, default], tier)) in p.tiers.iter().zip(TIERS).enumerate() {
-            let text = match tongue {
-                Tongue::English => said(sign, hand, tier),
-                Tongue::French(names) => said_in_french(sign, hand, number, names),
-            };
-            let (text, from) = match (text, hand, sign.hands) {
-                // A movement that only joins keys is not written.
-                (Some(text), _, _) if text.is_empty() => (p.joins_keys.to_owned(), p.stated),
+        for ([label, default], tier) in p.tiers.iter().zip(Tier::ALL) {
+            let (text, from) = match (said(sign, hand, tier, tongue), hand, sign.hands) {
                 (Some(text), _, _) => (text, p.stated),
                 (None, Hand::Weak, Hands::Both(Some(s))) if has(&sign.strong, tier) => {
                     (follows(s.relation, p).to_owned(), p.symmetry)
                 }
                 (None, _, _) => ((*default).to_owned(), p.default),
             };
-            say(&format!("{name}{label}"), &text, from);
+            say(out, p, &format!("{name}{label}"), &text, from);
         }
     }
-    let whole = match tongue {
-        Tongue::English => whole(sign),
-        Tongue::French(names) => french::whole(sign, names),
-    };
-    for (label, text) in whole {
-        say(label, &text, p.stated);
-    }
-    if sign.duration.is_none() {
-        say(p.duration, p.from_movements, p.default);
-    }
-    out
-}
-
-/// The tiers of the whole sign as they are written.
-fn whole(sign: &Sign) -> Vec<(&'static str, String)> {
-    let tiers = raise(sign).lines.into_iter().filter_map(|line| match line.content {
-        Some(Content::Tier(tier)) => Some(tier.value),
-        _ => None,
-    });
-    let of_the_sign = |v: &Value| {
-        matches!(
-            v,
-            Value::Contact(_)
-                | Value::NonManual(..)
-                | Value::Duration(_)
-                | Value::Speed(_)
-                | Value::Base(_)
-                | Value::At(_)
-                | Value::Source(_)
-                | Value::Status(_)
-                | Value::Note(_)
-        )
-    };
-    tiers.filter(of_the_sign).map(|v| (v.keyword(), value(&v))).collect()
-}
-
-/// How a sign is made, in plain words.
-fn making(from: &Recombination) -> String {
-    let part = |p: &Recombination| match (&p.base, p.operators.is_empty()) {
-        (Base::Named(_) | Base::Spelled(_), true) => making(p),
-        _ => format!("({})", making(p)),
-    };
-    let mut text = match &from.base {
-        Base::Named(name) => name.clone(),
-        Base::Spelled(word) => format!("the letters of {word}, from shape to shape"),
-        Base::Pointing(_) | Base::WristAt(_) => {
-            expression(&super::raise::expression(&Recombination { base: from.base.clone(), operators: Vec::new() }))
-        }
-        Base::Chain(parts) => parts.iter().map(part).collect::<Vec<_>>().join(", then "),
-        Base::Hands(strong, weak) => {
-            format!("{} on the strong hand and {} on the weak hand", part(strong), part(weak))
-        }
-    };
-    for operator in &from.operators {
-        text.push_str(", ");
-        text.push_str(&doing(operator));
-    }
-    text
-}
-
-fn doing(operator: &Operator) -> String {
-    // As it is written, without the base that stands before it.
-    let written = || {
-        let alone = Recombination { base: Base::Named("x".into()), operators: vec![operator.clone()] };
-        expression(&super::raise::expression(&alone)).trim_start_matches("x ").to_owned()
-    };
-    match operator {
-        Operator::Inverted => "played backwards".into(),
-        Operator::InvertedMovement => "its path played backwards, the hands shaped and turned as before".into(),
-        Operator::Mirrored => "one hand copied onto the other, mirrored".into(),
-        Operator::Swapped => "the hands exchanged".into(),
-        Operator::Reflected => "its mirror image, face and gaze included".into(),
-        Operator::Repeated { times, growth, .. } => {
-            let grows = match growth.signum() {
-                1 => ", larger each time",
-                -1 => ", smaller each time",
-                _ => "",
-            };
-            format!("performed {times} times in all{grows}")
-        }
-        Operator::Configuration(..)
-        | Operator::Orientation(..)
-        | Operator::Placement(..)
-        | Operator::Movement(..)
-        | Operator::NonManual(..) => written(),
-        Operator::At(_) => format!("moved {}", written()),
-        Operator::Speed(factor) => format!("{factor} times as fast"),
-        Operator::Size(factor) => format!("its paths {factor} times as large"),
+    if !sign.contact.is_empty() {
+        let text = match tongue {
+            Tongue::English => english::contacts(sign),
+            Tongue::French(_) => french::contacts(sign),
+        };
+        say(out, p, p.contact, &text, p.stated);
     }
 }
 
-/// The manual tiers, as they are written.
-const TIERS: [&str; 4] = ["configuration", "placement", "orientation", "movement"];
+/// Duration and speed, where they are stated.
+fn times(sign: &Sign, tongue: Tongue) -> Vec<(&'static str, String)> {
+    match tongue {
+        Tongue::English => english::times(sign),
+        Tongue::French(_) => french::times(sign),
+    }
+}
+
+/// A manual tier.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Tier {
+    Configuration,
+    Placement,
+    Orientation,
+    Movement,
+}
+
+impl Tier {
+    /// All of them, in the order of [`Phrases::tiers`].
+    const ALL: [Tier; 4] = [Tier::Configuration, Tier::Placement, Tier::Orientation, Tier::Movement];
+}
 
 fn acts(hands: Hands, hand: Hand) -> bool {
     match hands {
@@ -238,39 +195,46 @@ fn follows(relation: Relation, p: &Phrases) -> &'static str {
     }
 }
 
-fn has(manual: &Manual, tier: &str) -> bool {
+fn has(manual: &Manual, tier: Tier) -> bool {
     match tier {
-        "configuration" => !manual.configuration.is_empty(),
-        "placement" => !manual.placement.is_empty(),
-        "orientation" => !manual.orientation.is_empty(),
-        _ => !manual.movement.is_empty(),
+        Tier::Configuration => !manual.configuration.is_empty(),
+        Tier::Placement => !manual.placement.is_empty(),
+        Tier::Orientation => !manual.orientation.is_empty(),
+        Tier::Movement => !manual.movement.is_empty(),
     }
 }
 
-/// The text of one hand's tier, where it is stated: the sign is reduced to that hand and written. Empty where a movement
-/// only joins keys, which is not written.
-fn said(sign: &Sign, hand: Hand, tier: &str) -> Option<String> {
-    let manual = of_hand(sign, hand);
+/// The words of one hand's tier, where it is stated.
+fn said(sign: &Sign, hand: Hand, tier: Tier, tongue: Tongue) -> Option<String> {
+    let manual = match hand {
+        Hand::Strong => &sign.strong,
+        Hand::Weak => &sign.weak,
+    };
     if !has(manual, tier) {
         return None;
     }
-    let alone = Sign { intervals: sign.intervals, strong: manual.clone(), ..Sign::named("") };
-    let text = raise(&alone).lines.into_iter().find_map(|line| match line.content {
-        Some(Content::Tier(found)) if found.value.keyword() == tier => Some(value(&found.value)),
-        _ => None,
-    });
-    Some(text.unwrap_or_default())
-}
-
-/// One hand's tier in French, where it is stated.
-fn said_in_french(sign: &Sign, hand: Hand, number: usize, names: &LocationInventory) -> Option<String> {
-    let manual = of_hand(sign, hand);
-    has(manual, TIERS[number]).then(|| french::tier(manual, sign.intervals, number, names))
-}
-
-fn of_hand(sign: &Sign, hand: Hand) -> &Manual {
-    match hand {
-        Hand::Strong => &sign.strong,
-        Hand::Weak => &sign.weak,
+    // What only joins the keys of other tiers.
+    if tier == Tier::Movement && manual.movement.iter().all(|m| *m == plain_change()) {
+        return Some(tongue.phrases().joins_keys.to_owned());
     }
+    Some(match tongue {
+        Tongue::English => english::tier(manual, sign.intervals, tier),
+        Tongue::French(names) => french::tier(manual, sign.intervals, tier, names),
+    })
+}
+
+fn plain_change() -> Movement {
+    Movement::Action(Box::new(Action::new(Motion::Change)))
+}
+
+/// Values at keys; the keys are named where not all of them have a value. `words` are what stands between two values, and what
+/// a key is called.
+fn keys<T>(values: &Keys<T>, intervals: usize, words: [&str; 2], say: impl Fn(&T) -> String) -> String {
+    let [then, posture] = words;
+    let everywhere = values.len() == intervals + 1 || values.len() == 1 && values.stated(0).is_some();
+    let one = |(key, value)| match everywhere {
+        true => say(value),
+        false => format!("{} ({posture} {})", say(value), key + 1),
+    };
+    values.iter().map(one).collect::<Vec<_>>().join(then)
 }

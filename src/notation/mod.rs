@@ -21,6 +21,7 @@ pub mod parse;
 pub mod print;
 pub mod raise;
 pub mod read;
+pub mod sigml;
 pub mod suggest;
 pub mod syntax;
 pub mod vocabulary;

@@ -3,19 +3,21 @@
 //! A sign's tiers stand two spaces in, their values in one column; comments stay where they were, single blank
 //! lines too. Printing what was just printed changes nothing.
 
+mod movement;
 pub(crate) mod recombination;
 pub(crate) mod words;
 
 use super::lex::quote;
-use super::syntax::{Content, File, Line, TierLine, Value};
+use super::syntax::{Content, File, Line, OtherHand, TierLine, Value};
 use crate::phonology::Hand;
+use movement::movements;
 use words::{
-    bare, base, configuration, contact, duration, hands, meanings, movements, nonmanual, orientation, placement,
-    relocation, values,
+    bare, base, configuration, contact, duration, hands, meanings, nonmanual, orientation, placement, relocation,
+    values,
 };
 
+pub use movement::movement_text;
 pub(crate) use recombination::expression;
-pub use words::movement_text;
 
 /// The column of the values, from the left, where no keyword is longer: `configuration` and two spaces.
 const LEAST_WIDTH: usize = "configuration".len();
@@ -28,7 +30,7 @@ const LEAST_WIDTH: usize = "configuration".len();
 /// assert_eq!(print(&file), "sign BOL  # a bowl\n  hands          both mirrored\n");
 /// ```
 pub fn print(file: &File) -> String {
-    let is_broken = |line: &Line| matches!(line.content, Some(Content::Broken { .. }));
+    let is_broken = |line: &Line| matches!(line.content, Some(Content::Broken(_)));
     if !file.lines.iter().any(is_broken) {
         return print_sound(file);
     }
@@ -47,13 +49,15 @@ fn print_sound(file: &File) -> String {
                 continue;
             }
             None => String::new(),
-            Some(Content::Broken { .. }) => continue,
+            Some(Content::Broken(_)) => continue,
             Some(Content::Language(name)) => format!("language {}", name.value),
             Some(Content::Sign(name, made)) => {
                 width = width_of_sign(&file.lines[i + 1..]);
                 let made = made.as_ref().map(|made| format!(" = {}", expression(made))).unwrap_or_default();
                 format!("sign {}{made}", sign_name(&name.value))
             }
+            Some(Content::Then(OtherHand::Free)) => "then".to_owned(),
+            Some(Content::Then(OtherHand::Stays)) => "then other hand stays".to_owned(),
             Some(Content::Tier(tier)) => {
                 let keyword = keyword(tier);
                 format!("  {keyword:width$}  {}", value(&tier.value))
@@ -101,8 +105,11 @@ fn heads_sign(lines: &[Line]) -> bool {
 fn in_body(file: &File, at: usize, after_blank: bool) -> bool {
     let before = file.lines[..at].iter().rev().find(|l| l.content.is_some());
     let after = file.lines[at..].iter().find(|l| l.content.is_some());
-    let inside = matches!(before.and_then(|l| l.content.as_ref()), Some(Content::Sign(..) | Content::Tier(_)));
-    let tier_follows = matches!(after.and_then(|l| l.content.as_ref()), Some(Content::Tier(_)));
+    let inside = matches!(
+        before.and_then(|l| l.content.as_ref()),
+        Some(Content::Sign(..) | Content::Then(_) | Content::Tier(_))
+    );
+    let tier_follows = matches!(after.and_then(|l| l.content.as_ref()), Some(Content::Then(_) | Content::Tier(_)));
     // After a blank line with no tier to come it is a remark between signs; comments in a row stand alike.
     let row = file.lines[..at].iter().rev().take_while(|l| is_comment(l)).count();
     let row_after_blank = if row == 0 { after_blank } else { at == row || is_blank(&file.lines[at - row - 1]) };

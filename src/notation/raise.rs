@@ -1,17 +1,19 @@
 //! What a sign means to what one would write: [`Sign`] → [`super::syntax`].
 
-use super::lower::default_bulge;
+mod movement;
+
 use super::syntax::{
-    self, ContactKind, Content, Duration, File, Ignored, Key, Length, Line, NonManualWhat, Placed, TierLine, Value,
-    Values,
+    self, ContactKind, Content, Duration, File, Ignored, Key, Length, Line, NonManualWhat, OtherHand, Placed, TierLine,
+    Value, Values,
 };
 use crate::diagnostics::{Span, Spanned};
 use crate::phonology::operator::Operator;
 use crate::phonology::recombination::{Base, Recombination};
 use crate::phonology::{
-    Action, Attested, Configuration, Contact, Direction, Distance, Extent, Hand, HandPart, HandPoint, Hands, Heading,
-    Keys, Manual, Motion, Movement, NonManual, NonManualValue, Orientation, Place, Placement, Sign,
+    Action, Attested, Configuration, Contact, Distance, Hand, Hands, Keys, Manual, Motion, Movement, NonManual,
+    NonManualValue, Orientation, Place, Placement, Sign, Sited,
 };
+pub(crate) use movement::movement;
 
 /// A sign as text.
 ///
@@ -46,6 +48,17 @@ pub fn raise(sign: &Sign) -> File {
         lines.push(line(Content::Language(plain(sign.language.clone()))));
     }
     lines.push(line(Content::Sign(plain(sign.name.clone()), None)));
+    tiers(sign, &mut lines);
+    for phase in &sign.then {
+        let other = if phase.holds_over { OtherHand::Stays } else { OtherHand::Free };
+        lines.push(line(Content::Then(other)));
+        tiers(phase, &mut lines);
+    }
+    File { lines }
+}
+
+/// The tiers of a sign or of one of its phases.
+fn tiers(sign: &Sign, lines: &mut Vec<Line>) {
     let n = sign.intervals;
     let mut say = |hand: Option<Hand>, value: Value| {
         lines.push(line(Content::Tier(TierLine { hand, keyword: Ignored::default(), value })));
@@ -115,7 +128,6 @@ pub fn raise(sign: &Sign) -> File {
     if let Some(to) = &sign.relocated {
         say(None, Value::At(syntax::Relocation { place: place(&to.place), forced: to.forced }));
     }
-    File { lines }
 }
 
 /// What one would write for a sign made from others.
@@ -227,7 +239,10 @@ fn keys<T, U>(keys: &Keys<T>, intervals: usize, value: impl Fn(&T) -> U) -> Opti
 fn configuration(v: &Configuration) -> syntax::Configuration {
     syntax::Configuration {
         base: plain(v.base.clone()),
-        between: v.between.as_ref().map(|b| plain(b.second.clone())),
+        between: v.between.as_ref().map(|b| {
+            let (first, changes) = (b.first.clone(), b.changes.clone());
+            Box::new(syntax::Between { first, second: plain(b.second.clone()), changes })
+        }),
         changes: v.changes.clone(),
     }
 }
@@ -238,10 +253,14 @@ fn place(v: &Place) -> syntax::Place {
         Place::OtherHand(point) => syntax::Place::OtherHand(*point),
         Place::Space(cell) => syntax::Place::Space(*cell),
         Place::Point(at) => syntax::Place::Point(at.to_array()),
-        Place::Between(a, b) => syntax::Place::Between(Box::new(place(&a.place)), Box::new(place(&b.place))),
+        Place::Between(a, b) => syntax::Place::Between(Box::new(sited(a)), Box::new(sited(b))),
         Place::Referent(name) => syntax::Place::Referent(name.clone()),
         Place::Towards(at) => syntax::Place::Towards(Box::new(place(at))),
     }
+}
+
+fn sited(v: &Sited) -> syntax::Sited {
+    syntax::Sited { place: place(&v.place), side: v.lateral.map(|l| (l.side, l.beside)) }
 }
 
 /// A placement as one would write it.
@@ -271,63 +290,6 @@ fn duration(seconds: f64) -> Duration {
     Duration { number: seconds, milliseconds: false }
 }
 
-fn extent(v: Extent) -> syntax::Extent {
-    match v {
-        Extent::Size(size) => syntax::Extent::Size(size),
-        Extent::Metres(far) => syntax::Extent::Length(Length::from_metres(far)),
-    }
-}
-
-/// A movement as one would write it.
-pub(crate) fn movement(v: &Movement) -> syntax::Movement {
-    let all = |parts: &[Movement]| parts.iter().map(movement).collect::<Vec<_>>();
-    match v {
-        Movement::Sequence(parts) => syntax::Movement::Group { fused: false, parts: all(parts) },
-        Movement::Fused(parts) => syntax::Movement::Group { fused: true, parts: all(parts) },
-        Movement::Together(parts) => syntax::Movement::Together(all(parts)),
-        Movement::Repeated(r) => syntax::Movement::Repeated(Box::new(movement(&r.movement)), r.repetition),
-        Movement::Backwards(inner) => syntax::Movement::Backwards(Box::new(movement(inner))),
-        Movement::Action(action) => syntax::Movement::Action(Box::new(syntax::Action {
-            motion: motion(&action.motion),
-            target: action.target.as_ref().map(placement),
-            brushing: action.brushing.as_ref().map(placement),
-            manner: action.manner.clone(),
-            repetition: action.repetition,
-            duration: action.duration.map(|d| duration(d.0)),
-            alternating: action.alternating,
-        })),
-    }
-}
-
-fn motion(v: &Motion) -> syntax::Motion {
-    match *v {
-        Motion::Hold => syntax::Motion::Hold,
-        Motion::Change => syntax::Motion::Change,
-        Motion::Return { key } => syntax::Motion::Return(plain(key + 1)),
-        Motion::Straight { direction, extent: e, overlay } => {
-            syntax::Motion::Straight { direction, extent: extent(e), overlay }
-        }
-        Motion::Arc { direction, extent: e, bulge, depth, overlay } => syntax::Motion::Arc {
-            direction,
-            extent: extent(e),
-            bulge: (bulge != default_bulge(direction).into()).then_some(first_of(bulge)),
-            depth,
-            overlay,
-        },
-        Motion::Circle { axis, extent: e, start, turns, ellipse, growth, overlay: _ } => {
-            syntax::Motion::Circle { axis: first_of(axis), extent: extent(e), start, turns, ellipse, growth }
-        }
-        Motion::Wrist(wrist, size) => syntax::Motion::Wrist(wrist, size),
-        Motion::Wiggle(digits) => syntax::Motion::Wiggle(digits),
-    }
-}
-
-fn first_of(heading: Heading) -> Direction {
-    match heading {
-        Heading::Toward(d) | Heading::Between(d, _) => d,
-    }
-}
-
 fn contact(v: Contact) -> syntax::Contact {
     use crate::phonology::ContactKind as Meant;
     let kind = match v.kind {
@@ -337,8 +299,7 @@ fn contact(v: Contact) -> syntax::Contact {
         Meant::Interlocked => ContactKind::Interlocks,
         Meant::Metres(far) => ContactKind::LengthFrom(Length::from_metres(far)),
     };
-    let palm = || HandPoint::new(Default::default(), HandPart::Palm, None).expect("a palm has no digits");
-    syntax::Contact { strong: v.strong.unwrap_or_else(palm), kind, weak: v.weak.unwrap_or_else(palm) }
+    syntax::Contact { strong: v.strong, kind, weak: v.weak }
 }
 
 fn nonmanual(v: &NonManual) -> syntax::NonManual {
@@ -347,7 +308,8 @@ fn nonmanual(v: &NonManual) -> syntax::NonManual {
         NonManualValue::Towards(heading) => NonManualWhat::Towards(*heading),
         NonManualValue::At(place) => NonManualWhat::At(Box::new(placement(place))),
         NonManualValue::Mouthing(sounds) => NonManualWhat::Mouthing(sounds.clone()),
-        NonManualValue::Sequence(_) | NonManualValue::Together(_) => NonManualWhat::Mouthing(String::new()),
+        NonManualValue::Sequence(parts) => NonManualWhat::Sequence(parts.iter().map(nonmanual).collect()),
+        NonManualValue::Together(parts) => NonManualWhat::Together(parts.iter().map(nonmanual).collect()),
     };
-    syntax::NonManual { what, amount: v.amount }
+    syntax::NonManual { what, amount: v.amount, pace: (v.pace != 1.0).then_some(v.pace) }
 }

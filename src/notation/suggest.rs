@@ -31,6 +31,16 @@ pub fn nearest<'a>(word: &str, known: impl IntoIterator<Item = &'a str>) -> Opti
     best.map(|(_, word)| word)
 }
 
+/// The slips of the hand between two words, if they are at most `most`.
+pub(crate) fn slips(a: &str, b: &str, most: usize) -> Option<usize> {
+    const LONGEST: usize = 40;
+    let (a, b): (Vec<char>, Vec<char>) = (a.chars().take(LONGEST).collect(), b.chars().take(LONGEST).collect());
+    if a.len().abs_diff(b.len()) > most {
+        return None;
+    }
+    Some(distance(&a, &b)).filter(|slips| *slips <= most)
+}
+
 /// Lower case without accents.
 pub fn fold(word: &str) -> String {
     use unicode_normalization::UnicodeNormalization;

@@ -4,14 +4,15 @@
 //! their units. What it means is [`crate::phonology::Sign`]; [`super::lower()`] goes there and [`super::raise()`] back.
 //! Words that mean the same in text and meaning (directions, digits, manners) are the phonology's own types.
 
+mod movement;
 mod recombination;
 
 use crate::diagnostics::{Span, Spanned};
 use crate::phonology::{
-    Amount, Channel, Clock, Direction, Forced, Hand, HandPoint, Hands, HandshapeChange, Heading, Manner, Overlay,
-    Repetition, Side, Size, Space, WristMotion,
+    Amount, Channel, Direction, Forced, Hand, HandPoint, Hands, HandshapeChange, Heading, Side, Space,
 };
 
+pub use movement::{Action, Becoming, Extent, Motion, Movement, Repeated};
 pub use recombination::{Base, Expression, Operator};
 
 /// A whole file, line by line.
@@ -51,11 +52,30 @@ pub enum Content {
     Sign(Spanned<String>, Option<Expression>),
     /// A tier.
     Tier(TierLine),
-    /// A line with a fault; true where it was to begin a sign.
-    Broken {
-        /// Whether the line was a `sign` line.
-        begins_sign: bool,
-    },
+    /// `then`, `then other hand stays`: what follows is a further phase of the sign.
+    Then(OtherHand),
+    /// A line with a fault.
+    Broken(Begins),
+}
+
+/// What a hand that does not act in a phase does.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum OtherHand {
+    /// What it would do without a phase before it.
+    Free,
+    /// It stays as the phase before left it: `other hand stays`.
+    Stays,
+}
+
+/// What a line with a fault was to begin.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Begins {
+    /// A sign.
+    Sign,
+    /// A phase of a sign.
+    Phase,
+    /// A tier, or what nobody knows.
+    Line,
 }
 
 /// A tier's line: `strong configuration  flat then fist`.
@@ -159,9 +179,20 @@ pub enum Key {
 pub struct Configuration {
     /// Its name.
     pub base: Spanned<String>,
-    /// `between A and B`: the second.
-    pub between: Option<Spanned<String>>,
+    /// `between A and B`: what there is besides the first's name.
+    pub between: Option<Box<Between>>,
     /// Changes after commas.
+    pub changes: Vec<HandshapeChange>,
+}
+
+/// What a handshape lies halfway to, as written: `between ( flat, thumb out ) and ( 5, round )`.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Between {
+    /// Changes in brackets with the first.
+    pub first: Vec<HandshapeChange>,
+    /// The second one's name.
+    pub second: Spanned<String>,
+    /// Changes in brackets with the second.
     pub changes: Vec<HandshapeChange>,
 }
 
@@ -194,11 +225,20 @@ pub enum Place {
     /// `point 0.1 1.2 0.4`
     Point([f64; 3]),
     /// `between X and Y`
-    Between(Box<Place>, Box<Place>),
+    Between(Box<Sited>, Box<Sited>),
     /// `referent "A"`
     Referent(String),
     /// `pointing at PLACE`
     Towards(Box<Place>),
+}
+
+/// One of the two places that a placement lies between, as written: `beside right ear`.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Sited {
+    /// The place.
+    pub place: Place,
+    /// `right`, `beside right`.
+    pub side: Option<(Side, bool)>,
 }
 
 /// A configuration attested on a base, as written: `Y en "snail", fr "escargot"`.
@@ -243,106 +283,6 @@ pub struct Orientation {
     pub palm: Option<Spanned<Heading>>,
     /// `along path`
     pub along_path: bool,
-}
-
-/// A movement as written.
-#[derive(Debug, Clone, PartialEq)]
-pub enum Movement {
-    /// One movement.
-    Action(Box<Action>),
-    /// `( … then … )`, `fused ( … then … )`; a group of one is only a bracket, and is not kept.
-    Group {
-        /// Whether the parts are blended.
-        fused: bool,
-        /// The parts.
-        parts: Vec<Movement>,
-    },
-    /// `… while …`
-    Together(Vec<Movement>),
-    /// `( … ) repeated 2`
-    Repeated(Box<Movement>, Repetition),
-    /// `backwards ( … )`
-    Backwards(Box<Movement>),
-}
-
-/// One movement with what is said of it.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Action {
-    /// What the hand does.
-    pub motion: Motion,
-    /// `to PLACE`
-    pub target: Option<Placement>,
-    /// `brushing PLACE`
-    pub brushing: Option<Placement>,
-    /// `fast`, `tense`, …
-    pub manner: Vec<Manner>,
-    /// `repeated 2`, `continued 2`, `to and fro 2`
-    pub repetition: Option<Repetition>,
-    /// `duration 0.4s`
-    pub duration: Option<Duration>,
-    /// `alternating`
-    pub alternating: bool,
-}
-
-/// What a hand does, as written.
-#[derive(Debug, Clone, PartialEq)]
-pub enum Motion {
-    /// `hold`
-    Hold,
-    /// `change`; not written where a target follows.
-    Change,
-    /// `back`, `back to key 2`: the key, counted from 1, the start.
-    Return(Spanned<usize>),
-    /// A direction alone.
-    Straight {
-        /// Where to.
-        direction: Heading,
-        /// How far.
-        extent: Extent,
-        /// `zigzag`, `wavy`
-        overlay: Option<Overlay>,
-    },
-    /// `arc …`
-    Arc {
-        /// Direction of the chord.
-        direction: Heading,
-        /// Length of the chord.
-        extent: Extent,
-        /// `bulging DIR`
-        bulge: Option<Direction>,
-        /// `small bend`, `large bend`
-        depth: Size,
-        /// `zigzag`, `wavy`
-        overlay: Option<Overlay>,
-    },
-    /// `circle …`
-    Circle {
-        /// `axis DIR`
-        axis: Direction,
-        /// `radius 5cm`, `small`, `large`
-        extent: Extent,
-        /// `from 3`
-        start: Clock,
-        /// `turns 2`
-        turns: f64,
-        /// `flattened 0.5 along up`
-        ellipse: Option<(f64, Direction)>,
-        /// `growing`, `shrinking 2`
-        growth: i8,
-    },
-    /// `nod`, `twist large`
-    Wrist(WristMotion, Size),
-    /// `wiggle`, `wiggle index middle`
-    Wiggle(crate::phonology::Digits),
-}
-
-/// How far, as written.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Extent {
-    /// `small`, `large`, or nothing.
-    Size(Size),
-    /// `12cm`
-    Length(Length),
 }
 
 /// A length with the unit it was written in.
@@ -426,12 +366,12 @@ impl Duration {
 /// A contact of the two hands as written.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Contact {
-    /// `strong index tip`
-    pub strong: HandPoint,
+    /// `strong index tip`; `strong hand` names none.
+    pub strong: Option<HandPoint>,
     /// `touches`, …
     pub kind: ContactKind,
     /// `weak palm`
-    pub weak: HandPoint,
+    pub weak: Option<HandPoint>,
 }
 
 /// The way hands meet, as written.
@@ -454,8 +394,10 @@ pub enum ContactKind {
 pub struct NonManual {
     /// What.
     pub what: NonManualWhat,
-    /// `slight`, `strong`.
+    /// `slight`, `strong`, `60%`.
     pub amount: Amount,
+    /// `speed 1.5`
+    pub pace: Option<f64>,
 }
 
 /// What a non-manual value says.
@@ -469,4 +411,8 @@ pub enum NonManualWhat {
     At(Box<Placement>),
     /// `mouthing "bOl"`
     Mouthing(String),
+    /// `( puffed then blowing )`
+    Sequence(Vec<NonManual>),
+    /// `( nod while tilted-left )`
+    Together(Vec<NonManual>),
 }

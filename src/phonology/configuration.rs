@@ -16,7 +16,7 @@ pub struct Configuration {
     pub changes: Vec<HandshapeChange>,
 }
 
-/// What a configuration lies halfway to: `between flat, thumb out and 5, round`.
+/// What a configuration lies halfway to: `between ( flat, thumb out ) and ( 5, round )`.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub struct Between {
     /// Changes to the first handshape alone, before the two are mixed.
@@ -60,9 +60,9 @@ pub enum HandshapeChange {
     Except(Digits),
     /// `tight` or `slack`: the opening between thumb and fingers of a C or of an open pinch.
     Opening(Opening),
-    /// `index at middle nail`: the first digit touches that part of the second (HamNoSys's finger crossing).
+    /// `index touching middle nail`: the first digit touches that part of the second (HamNoSys's finger crossing).
     Meet(Digit, HandPart, Digit),
-    /// `thumb at pad`: the part of the fingers that the thumb touches in a pinch.
+    /// `thumb touching pad`: the part of the fingers that the thumb touches in a pinch.
     ThumbAt(HandPart),
     /// `index joints 4 1 0`: knuckle, middle and last joint bent by so many quarters of their range (SiGML's codes); no digits
     /// means the selected fingers.

@@ -19,7 +19,7 @@ pub struct Expression {
     /// Other names.
     #[serde(default)]
     pub aliases: Vec<String>,
-    /// The tag of SiGML's non-manual tiers.
+    /// The tags of SiGML's non-manual tiers, separated by spaces; the first is the one to write.
     #[serde(default)]
     pub hamnosys: String,
     /// Weights of face morphs, 0 to 1.
@@ -28,15 +28,79 @@ pub struct Expression {
     /// Pitch (+ forward), yaw (+ left) and roll (+ left) in degrees.
     #[serde(default)]
     pub turn: (f64, f64, f64),
+    /// How far the head is pushed forward over the trunk without turning, degrees of the neck.
+    #[serde(default)]
+    pub push: f64,
     /// How far the left and the right shoulder are raised, degrees.
     #[serde(default)]
     pub raise: (f64, f64),
-    /// Cycles a second of a movement to and fro; 0 where the value is held.
+    /// How far the left and the right shoulder come forward, degrees.
+    #[serde(default)]
+    pub hunch: (f64, f64),
+    /// What it goes through, one after the other, beside what it does all the time.
+    #[serde(default)]
+    pub steps: Vec<Step>,
+    /// Cycles a second of a movement to and fro, or of the steps; 0 where the value is held.
     #[serde(default)]
     pub beats: f64,
+    /// How many cycles there are at most; 0 for as many as there is time for.
+    #[serde(default)]
+    pub times: u32,
+    /// The word that the mouth says, in SAMPA: `boam`.
+    #[serde(default)]
+    pub says: String,
+    /// What the eyes follow.
+    #[serde(default)]
+    pub look: Option<Look>,
     /// The sounds (SAMPA, one character each) that this mouth shape stands for.
     #[serde(default)]
     pub sounds: String,
+    /// How little the sounds beside it change this mouth shape, 0 to 1.
+    #[serde(default = "whole")]
+    pub firm: f64,
+}
+
+/// One step of a value that goes through several.
+#[derive(Debug, Clone, Default, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Step {
+    /// Its part of the time, relative to the other steps.
+    #[serde(default = "whole")]
+    pub share: f64,
+    /// Weights of face morphs, 0 to 1.
+    #[serde(default)]
+    pub morphs: BTreeMap<String, f32>,
+    /// Pitch (+ forward), yaw (+ left) and roll (+ left) in degrees.
+    #[serde(default)]
+    pub turn: (f64, f64, f64),
+    /// How far the head is pushed forward, degrees of the neck.
+    #[serde(default)]
+    pub push: f64,
+    /// How far the left and the right shoulder are raised, degrees.
+    #[serde(default)]
+    pub raise: (f64, f64),
+    /// How far the left and the right shoulder come forward, degrees.
+    #[serde(default)]
+    pub hunch: (f64, f64),
+}
+
+/// What eyes follow, or head and eyes together.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
+pub enum Look {
+    /// Straight ahead in space, however the head is turned.
+    Ahead,
+    /// Between the signer's hands.
+    Hands,
+    /// The strong hand.
+    Strong,
+    /// The weak hand.
+    Weak,
+    /// The head goes where the eyes go.
+    Gaze,
+}
+
+fn whole() -> f64 {
+    1.0
 }
 
 /// All non-manual values.
@@ -59,13 +123,7 @@ impl Expressions {
             let Some(channel) = Channel::ALL.into_iter().find(|c| c.name() == row.channel) else {
                 return Err(fault(format!("there is no non-manual tier `{}`", row.channel)));
             };
-            if row.morphs.values().any(|w| !(0.0..=1.0).contains(w)) {
-                return Err(fault(format!("{}: a morph's weight lies between 0 and 1", row.name)));
-            }
-            let numbers = [row.turn.0, row.turn.1, row.turn.2, row.raise.0, row.raise.1];
-            if !numbers.iter().all(|d| d.abs() <= 90.0) || !(0.0..=10.0).contains(&row.beats) {
-                return Err(fault(format!("{}: degrees lie within ±90, beats between 0 and 10", row.name)));
-            }
+            row.check().map_err(fault)?;
             let twice = checked.iter().any(|(c, other)| *c == channel && other.answers_to(&row.name));
             if twice {
                 return Err(fault(format!("{} has {} twice", channel.name(), row.name)));
@@ -102,6 +160,17 @@ impl Expressions {
         self.of(channel).find(|row| row.answers_to(name))
     }
 
+    /// The value of a tier that a tag of SiGML means: `NO` of the head is a nod.
+    ///
+    /// ```
+    /// use chereme::phonology::{Channel, expression::Expressions};
+    /// let expressions = Expressions::embedded();
+    /// assert_eq!(expressions.tagged(Channel::Head, "NO").map(|row| row.name.as_str()), Some("nod"));
+    /// ```
+    pub fn tagged(&self, channel: Channel, tag: &str) -> Option<&Expression> {
+        self.of(channel).find(|row| row.hamnosys.split_whitespace().any(|own| own == tag))
+    }
+
     /// The mouth shape of a sound, one character of SAMPA.
     pub fn viseme(&self, sound: char) -> Option<&Expression> {
         self.of(Channel::Mouth).find(|row| row.sounds.contains(sound))
@@ -117,5 +186,37 @@ impl Expression {
     fn answers_to(&self, name: &str) -> bool {
         let name = name.to_lowercase();
         self.name.to_lowercase() == name || self.aliases.iter().any(|a| a.to_lowercase() == name)
+    }
+
+    /// What it does all the time, as a step.
+    pub fn base(&self) -> Step {
+        Step {
+            share: 1.0,
+            morphs: self.morphs.clone(),
+            turn: self.turn,
+            push: self.push,
+            raise: self.raise,
+            hunch: self.hunch,
+        }
+    }
+
+    /// Whether it beats to both sides of the middle (a shake) rather than going and coming back (a nod).
+    pub fn swings(&self) -> bool {
+        self.beats > 0.0 && self.steps.is_empty() && (self.turn.1 != 0.0 || self.turn.2 != 0.0)
+    }
+
+    fn check(&self) -> Result<(), String> {
+        let all = || std::iter::once(self.base()).chain(self.steps.iter().cloned());
+        if all().any(|step| step.morphs.values().any(|w| !(0.0..=1.0).contains(w))) {
+            return Err(format!("{}: a morph's weight lies between 0 and 1", self.name));
+        }
+        let degrees = |s: &Step| [s.turn.0, s.turn.1, s.turn.2, s.push, s.raise.0, s.raise.1, s.hunch.0, s.hunch.1];
+        if all().any(|s| !degrees(&s).iter().all(|d| d.abs() <= 90.0)) || !(0.0..=10.0).contains(&self.beats) {
+            return Err(format!("{}: degrees lie within ±90, beats between 0 and 10", self.name));
+        }
+        if self.steps.iter().any(|s| !(0.01..=100.0).contains(&s.share)) || !(0.0..=1.0).contains(&self.firm) {
+            return Err(format!("{}: shares lie between 0.01 and 100, `firm` between 0 and 1", self.name));
+        }
+        Ok(())
     }
 }

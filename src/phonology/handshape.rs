@@ -15,10 +15,13 @@
 
 pub mod angles;
 pub mod change;
+mod fingers;
 pub mod inventory;
 pub mod limits;
 mod row;
 pub mod shape;
+mod thumb;
+mod written;
 
 pub use angles::{FingerAngles, HandAngles, ThumbAngles};
 pub use inventory::{HandshapeInventory, NotFound};

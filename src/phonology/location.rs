@@ -51,6 +51,10 @@ pub struct Location {
     pub paired: bool,
     /// The distance that a placement without one means; never [`Distance::Unmarked`].
     pub unmarked: Distance,
+    /// The height of the signing space before the place, arm lengths above the middle of the shoulders, where the place also
+    /// means that space: a hand that does not touch the trunk, the neck or the head as a whole is not over a point of
+    /// its skin but at its height before the body.
+    pub space: Option<f64>,
     /// Half the width of the region, arm lengths; 0 for places of hand and arm.
     pub half_width_arms: f64,
     /// A remark for the reader of a listing; may be empty.

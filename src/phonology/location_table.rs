@@ -37,6 +37,8 @@ struct Row {
     paired: bool,
     unmarked: DistanceText,
     #[serde(default)]
+    space: Option<f64>,
+    #[serde(default)]
     half_width: f64,
     #[serde(default)]
     note: String,
@@ -131,6 +133,9 @@ impl<'a> Check<'a> {
                 format!("the half-width of {} is {}, not a width in arm lengths", row.id, row.half_width),
             );
         }
+        if row.space.is_some_and(|height| !(height.abs() <= 2.0)) {
+            self.fault(id_span, format!("the signing space of {} is at no height of a body", row.id));
+        }
         let unmarked = match row.unmarked {
             DistanceText::Touch => Distance::Touch,
             DistanceText::Close => Distance::Close,
@@ -150,6 +155,7 @@ impl<'a> Check<'a> {
             kind: kind?,
             paired: row.paired,
             unmarked,
+            space: row.space,
             half_width_arms: row.half_width,
             note: row.note,
             languages: row.languages,

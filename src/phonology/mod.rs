@@ -25,8 +25,9 @@ pub mod operator;
 pub mod orientation;
 pub mod placement;
 pub mod recombination;
-mod reflection;
+pub(crate) mod reflection;
 pub mod roll;
+pub mod sampa;
 pub mod sign;
 pub mod symmetry;
 

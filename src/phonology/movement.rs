@@ -172,7 +172,7 @@ pub enum Motion {
         extent: Extent,
         /// The side of the bend.
         bulge: Heading,
-        /// How bent: the height of the bend is 0.1 (small), 0.25 (normal) or 0.5 (large) of the chord.
+        /// How bent: the height of the bend is 0.25 (small), 0.5 (normal) or 0.9 (large) of the chord.
         depth: Size,
         /// Small waves on the way.
         overlay: Option<Overlay>,
@@ -181,7 +181,7 @@ pub enum Motion {
     Circle {
         /// The axis.
         axis: Heading,
-        /// The radius: 2, 5 or 10 cm, or metres.
+        /// The radius: 3.2, 8 or 14 cm, or metres.
         extent: Extent,
         /// Where it starts (its top where not said).
         start: Clock,

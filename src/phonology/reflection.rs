@@ -13,7 +13,7 @@ use glam::DVec3;
 
 /// A reflection of a description: which directions are exchanged, and whether places in space are.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Reflection {
+pub(crate) struct Reflection {
     /// Left and right exchanged.
     left_right: bool,
     /// Up and down.
@@ -26,32 +26,38 @@ pub(super) struct Reflection {
 
 impl Reflection {
     /// Left and right.
-    pub(super) const SIDES: Reflection =
+    pub(crate) const SIDES: Reflection =
         Reflection { left_right: true, up_down: false, out_in: false, keeps_space: false };
 
     /// Left and right of the signer, whose surroundings stay.
-    pub(super) const SIDES_OF_SIGNER: Reflection = Reflection { keeps_space: true, ..Reflection::SIDES };
+    pub(crate) const SIDES_OF_SIGNER: Reflection = Reflection { keeps_space: true, ..Reflection::SIDES };
 
     /// What a symmetry does to the weak hand.
-    pub(super) fn of(symmetry: Symmetry) -> Reflection {
+    pub(crate) fn of(symmetry: Symmetry) -> Reflection {
         let left_right = symmetry.relation == Relation::Mirrored;
         Reflection { left_right, up_down: symmetry.up_down, out_in: symmetry.out_in, keeps_space: false }
     }
 
     /// The same with the surroundings as in another one.
-    pub(super) fn with_space_as(self, other: Reflection) -> Reflection {
+    pub(crate) fn with_space_as(self, other: Reflection) -> Reflection {
         Reflection { keeps_space: other.keeps_space, ..self }
     }
 
     /// Left and right exchanged once more.
-    pub(super) fn and_sides(self) -> Reflection {
+    pub(crate) fn and_sides(self) -> Reflection {
         Reflection { left_right: !self.left_right, ..self }
     }
 
-    fn direction(self, d: Direction) -> Direction {
+    pub(crate) fn direction(self, d: Direction) -> Direction {
         let d = if self.left_right { d.mirrored() } else { d };
         let d = if self.up_down { d.flipped_up_down() } else { d };
         if self.out_in { d.flipped_out_in() } else { d }
+    }
+
+    /// A vector of model space in the mirror.
+    pub(crate) fn vector(self, v: DVec3) -> DVec3 {
+        let sign = |exchanged: bool| if exchanged { -1.0 } else { 1.0 };
+        v * DVec3::new(sign(self.left_right), sign(self.up_down), sign(self.out_in))
     }
 
     fn heading(self, heading: Heading) -> Heading {
@@ -68,7 +74,7 @@ impl Reflection {
         if axis.is_upright() { self.out_in } else { self.up_down }
     }
 
-    pub(super) fn place(self, place: &Place) -> Place {
+    pub(crate) fn place(self, place: &Place) -> Place {
         match place {
             Place::Space(cell) if self.left_right && !self.keeps_space => {
                 Place::Space(Space { left: -cell.left, ..*cell })
@@ -90,18 +96,18 @@ impl Reflection {
         if self.left_right { Lateral { side: l.side.other(), ..l } } else { l }
     }
 
-    pub(super) fn placement(self, p: &Placement) -> Placement {
+    pub(crate) fn placement(self, p: &Placement) -> Placement {
         let lateral = p.lateral.map(|l| self.lateral(l));
         let offset = p.offset.map(|(d, metres)| (self.direction(d), metres));
         Placement { place: self.place(&p.place), lateral, offset, ..p.clone() }
     }
 
-    pub(super) fn orientation(self, o: &Orientation) -> Orientation {
+    pub(crate) fn orientation(self, o: &Orientation) -> Orientation {
         let heading = |h| self.heading(h);
         Orientation { fingers: o.fingers.map(heading), palm: o.palm.map(heading), ..*o }
     }
 
-    pub(super) fn movement(self, movement: &Movement) -> Movement {
+    pub(crate) fn movement(self, movement: &Movement) -> Movement {
         movement
             .map_actions(&|action| Action {
                 motion: self.motion(&action.motion),
@@ -119,7 +125,7 @@ impl Reflection {
         Repetition { shift, ..r }
     }
 
-    fn becoming(self, b: &Becoming) -> Becoming {
+    pub(super) fn becoming(self, b: &Becoming) -> Becoming {
         Becoming { orientation: b.orientation.map(|o| self.orientation(&o)), ..b.clone() }
     }
 
@@ -158,7 +164,7 @@ impl Reflection {
         }
     }
 
-    pub(super) fn manual(self, own: &Manual) -> Manual {
+    pub(crate) fn manual(self, own: &Manual) -> Manual {
         Manual {
             configuration: own.configuration.clone(),
             placement: map_keys(&own.placement, |p| self.placement(p)),
@@ -167,7 +173,7 @@ impl Reflection {
         }
     }
 
-    pub(super) fn nonmanual(self, value: &NonManual) -> NonManual {
+    pub(crate) fn nonmanual(self, value: &NonManual) -> NonManual {
         let what = match &value.value {
             NonManualValue::Named(name) => NonManualValue::Named(sides_exchanged(name)),
             NonManualValue::Towards(heading) => NonManualValue::Towards(self.heading(*heading)),

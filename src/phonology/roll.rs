@@ -62,26 +62,31 @@ impl Roll {
     ///
     /// The nearest one once projected onto the plane across the fingers; plain directions are preferred.
     pub fn heading(self, fingers: Heading) -> Heading {
-        let fingers = fingers.vector();
-        let palm = self.palm(fingers);
-        let miss = |h: Heading| {
-            let across = h.vector() - fingers * h.vector().dot(fingers);
-            // What lies nearly along the fingers says nothing of the palm.
-            if across.length() < 0.3 { f64::INFINITY } else { across.angle_between(palm) }
-        };
-        let plain = Direction::all().map(Heading::Toward);
-        let between = Direction::all().flat_map(|a| {
-            Direction::all()
-                .filter(move |b| a < *b && a.vector().dot(b.vector()) > 0.0)
-                .map(move |b| Heading::Between(a, b))
-        });
-        let mut best = (f64::INFINITY, Heading::Toward(Direction::UP));
-        for heading in plain.chain(between) {
-            let off = miss(heading);
-            if off + 1e-6 < best.0 {
-                best = (off, heading);
-            }
-        }
-        best.1
+        facing(fingers, self.palm(fingers.vector()))
     }
+}
+
+/// The heading, among the 26 directions and the middles of two of them, that is nearest to a palm's direction once it is
+/// projected onto the plane across the fingers; plain directions are preferred.
+pub fn facing(fingers: Heading, palm: DVec3) -> Heading {
+    let fingers = fingers.vector();
+    let miss = |h: Heading| {
+        let across = h.vector() - fingers * h.vector().dot(fingers);
+        // What lies nearly along the fingers says nothing of the palm.
+        if across.length() < 0.3 { f64::INFINITY } else { across.angle_between(palm) }
+    };
+    let plain = Direction::all().map(Heading::Toward);
+    let between = Direction::all().flat_map(|a| {
+        Direction::all()
+            .filter(move |b| a < *b && a.vector().dot(b.vector()) > 0.0)
+            .map(move |b| Heading::Between(a, b))
+    });
+    let mut best = (f64::INFINITY, Heading::Toward(Direction::UP));
+    for heading in plain.chain(between) {
+        let off = miss(heading);
+        if off + 1e-6 < best.0 {
+            best = (off, heading);
+        }
+    }
+    best.1
 }

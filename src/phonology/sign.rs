@@ -49,8 +49,8 @@ pub struct Sign {
     /// The other hand stays as the phase before left it; only in [`Sign::then`] (SiGML `holdover`).
     pub holds_over: bool,
     /// Further phases, performed after this one without rest: each with hands, tiers and keys of its own, without name,
-    /// meaning, or phases (HamNoSys `hamplus` between signs, several `sign_manual` in SiGML). Non-manual values of this sign hold
-    /// over all phases.
+    /// meaning, language or phases (HamNoSys `hamplus` between signs, several `sign_manual` in SiGML). Non-manual values,
+    /// duration and speed of this sign are those of all phases together; a further phase's speed multiplies it.
     pub then: Vec<Sign>,
 }
 
@@ -95,7 +95,7 @@ impl Sign {
     }
 
     /// All phases in order: this one and those after it.
-    pub fn phases(&self) -> impl Iterator<Item = &Sign> {
+    pub fn phases(&self) -> impl DoubleEndedIterator<Item = &Sign> {
         std::iter::once(self).chain(&self.then)
     }
 }

@@ -97,7 +97,8 @@ fn following(strong: &Manual, own: &Manual, symmetry: Symmetry) -> Resolved {
         movement: if stated_movement {
             own.movement.clone()
         } else {
-            strong.movement.iter().map(|m| placed(m, &place)).collect()
+            let turned = |m: Movement| m.map_actions(&|action| becoming_reflected(action, reflection));
+            strong.movement.iter().map(|m| turned(placed(m, &place))).collect()
         },
         signs: if stated_movement {
             DVec3::ONE
@@ -124,6 +125,12 @@ fn placed(movement: &Movement, place: &impl Fn(&Placement) -> Placement) -> Move
         brushing: action.brushing.as_ref().map(place),
         ..action.clone()
     })
+}
+
+/// An action with the orientation that the hand takes on meanwhile reflected; its path is reflected by `signs`.
+fn becoming_reflected(action: &Action, reflection: Reflection) -> Action {
+    let becoming = action.becoming.as_deref().map(|b| Box::new(reflection.becoming(b)));
+    Action { becoming, ..action.clone() }
 }
 
 /// The hands crossed over: each on the other's side.

@@ -2,7 +2,7 @@
 
 use crate::body::landmarks::{ContactPoint, Landmark};
 use crate::motion::pose::ModelPose;
-use crate::motion::skeleton::JointId;
+use crate::motion::skeleton::{JointId, Skeleton};
 use glam::DVec3;
 
 /// A point that may be carried by a joint.
@@ -36,7 +36,12 @@ impl Anchor {
 
     /// The same anchor moved by a vector of model space.
     pub fn moved(self, by: DVec3) -> Anchor {
-        if by == DVec3::ZERO { self } else { Anchor::Moved(Box::new(self), by) }
+        match self {
+            anchor if by == DVec3::ZERO => anchor,
+            // One vector, however many legs lead there.
+            Anchor::Moved(anchor, before) => Anchor::Moved(anchor, before + by),
+            anchor => Anchor::Moved(Box::new(anchor), by),
+        }
     }
 
     /// Where it is in a pose, model space, metres.
@@ -46,6 +51,25 @@ impl Anchor {
             Anchor::Carried { joint, offset } => model.point(*joint, *offset),
             Anchor::Middle(parts) => parts.iter().map(|a| a.position(model)).sum::<DVec3>() / parts.len().max(1) as f64,
             Anchor::Moved(anchor, by) => anchor.position(model) + *by,
+        }
+    }
+
+    /// Whether it goes where a joint goes.
+    pub fn rides_on(&self, carrier: JointId, skeleton: &Skeleton) -> bool {
+        match self {
+            Anchor::Fixed(_) => false,
+            Anchor::Carried { joint, .. } => {
+                let mut at = Some(*joint);
+                while let Some(joint) = at {
+                    if joint == carrier {
+                        return true;
+                    }
+                    at = skeleton[joint].parent;
+                }
+                false
+            }
+            Anchor::Middle(parts) => parts.iter().any(|part| part.rides_on(carrier, skeleton)),
+            Anchor::Moved(anchor, _) => anchor.rides_on(carrier, skeleton),
         }
     }
 }

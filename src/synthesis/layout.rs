@@ -8,6 +8,7 @@ use super::plan::HandPlan;
 use super::prepare::Prepared;
 use super::schedule::{Lasting, Measured, Phases};
 use super::stage::Stage;
+use super::vary::difference;
 use crate::phonology::{Hand, Side};
 use crate::score::plan::{Act, Plan};
 use crate::time::Seconds;
@@ -19,6 +20,14 @@ use glam::DVec3;
 pub(super) struct Slower {
     pub ways: Vec<f64>,
     pub retraction: f64,
+}
+
+impl Slower {
+    /// As long as usual, but for what one performance differs from another.
+    pub(super) fn usual(stage: &Stage, items: usize) -> Slower {
+        let ways = (0..items).map(|item| difference(stage.options, item).way).collect();
+        Slower { ways, retraction: 1.0 }
+    }
 }
 
 /// Where a hand was last, and since when it has been free.
@@ -71,9 +80,13 @@ pub(super) fn lay_out(stage: &Stage, plan: &Plan, prepared: &[Prepared], slower:
         };
         at += phases.usual().0;
         match &item.act {
-            Act::Sign(_) => {
+            Act::Sign(sign) => {
                 for hand in ended {
                     left[hand.side as usize] = Some(Left { place: end_place(stage, hand), free_from: at });
+                }
+                // The other hand stays as it was.
+                if sign.holds_over {
+                    left.iter_mut().flatten().for_each(|was| was.free_from = at);
                 }
             }
             // The posture that is held by a sign's hands goes on to the end of the hold.

@@ -1,160 +1,345 @@
 //! Movements laid out in time: an interval's movement becomes legs, one after the other.
 //!
-//! A leg is a path of the contact point (perhaps to a place), small movements of wrist and fingers on top, and
-//! how far the posture has come from the key before to the key after. Repetitions become legs: there, back,
-//! there again. Times are those of `grammar/movements.ron`.
+//! Repetitions become legs: there, back, there again. What goes on at the same time becomes one list of legs
+//! (`together`). Postures change evenly from the key before to the key after; where an action says what it becomes, it
+//! is that action's legs that change them, from stop to stop. Times are those of `grammar/movements.ron`.
 
+use super::leg::whole;
+pub use super::leg::{FingerOrder, Leg, LegEnd, Stand, Stop, Turn, Wiggle, WristPlay};
 use super::path::Path;
-use crate::motion::easing::Easing;
+use super::repeat::Again;
+use super::shape::{duration_of, pace, path_of};
 use crate::phonology::movement_table::MovementTable;
 use crate::phonology::symmetry::Turns;
-use crate::phonology::{
-    Action, Clock, Digits, Direction, Extent, Heading, Manner, Motion, Movement, Overlay, Placement, Repeated,
-    RepetitionKind, Size, WristMotion,
-};
-use glam::DVec3;
-use std::f64::consts::TAU;
+use crate::phonology::{Action, Becoming, Digits, Manner, Motion, Movement};
+use std::sync::Arc;
 
-/// One leg of a movement.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Leg {
-    /// Seconds.
-    pub duration: f64,
-    /// The way of the contact point.
-    pub path: Path,
-    /// Where the way ends.
-    pub end: LegEnd,
-    /// How much of the change from the key before to the key after is done at the start and at the end, 0 to 1.
-    pub posture: (f64, f64),
-    /// Movements of the wrist on top.
-    pub wrist: Vec<WristPlay>,
-    /// Playing fingers on top.
-    pub wiggle: Vec<Wiggle>,
-}
-
-/// Where a leg ends.
-#[derive(Debug, Clone, PartialEq)]
-pub enum LegEnd {
-    /// Where the path leads from the leg's start.
-    Displaced,
-    /// At a place.
-    At(Placement),
-    /// Where an earlier leg of the same interval started.
-    StartOf(usize),
-    /// Where the hand was at an earlier key of the sign.
-    AtKey(usize),
-    /// Where the hand is at the key after the interval: as that key says, else going back along the movements from the
-    /// next key that says where it is, else where the path leads.
-    NextKey,
-    /// As another end, and from there by a vector of model space, metres.
-    Off(Box<LegEnd>, DVec3),
-}
-
-impl LegEnd {
-    /// The end with its vector multiplied by `signs` (reflection at planes through the origin).
-    pub fn reflected(self, signs: DVec3) -> LegEnd {
-        match self {
-            LegEnd::Off(end, by) => LegEnd::Off(end, by * signs),
-            LegEnd::Displaced | LegEnd::At(_) | LegEnd::StartOf(_) | LegEnd::AtKey(_) | LegEnd::NextKey => self,
-        }
-    }
-}
-
-/// A wrist movement to and fro during a leg.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct WristPlay {
-    /// Which.
-    pub motion: WristMotion,
-    /// Radians to each side.
-    pub amplitude: f64,
-    /// Whole cycles during the leg; below 0 they run backwards.
-    pub cycles: f64,
-    /// Share of a cycle that this hand is ahead.
-    pub phase: f64,
-}
-
-/// Playing fingers during a leg.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Wiggle {
-    /// Which fingers.
-    pub digits: Digits,
-    /// Radians at the knuckle, from one extreme to the other.
-    pub amplitude: f64,
-    /// Whole cycles during the leg; below 0 they run backwards.
-    pub cycles: f64,
-}
+/// No interval has more legs: repetitions in repetitions come to an end.
+pub const MOST_LEGS: usize = 400;
+/// How far a hand bounces back, as a part of the way that it came.
+const REBOUND: f64 = 0.25;
+/// How long it takes to, seconds.
+const REBOUND_S: f64 = 0.24;
 
 /// Lays out the movement of one interval.
 ///
 /// The legs last together as long as the movement; there is at least one.
 pub fn lay_out(movement: &Movement, table: &MovementTable, turns: Turns) -> Vec<Leg> {
-    let mut legs = match movement {
-        Movement::Sequence(parts) if !parts.is_empty() => sequence(parts, table, turns),
-        Movement::Action(action) => of_action(action, table, turns),
-        Movement::Repeated(group) => of_group(group, table, turns),
-        Movement::Backwards(inner) => backwards(lay_out(inner, table, turns)),
-        // What goes on at the same time or is fused is one leg, repeated if its first member is.
-        Movement::Together(parts) | Movement::Fused(parts) => {
-            let simple = simple_leg(movement, table, turns);
-            match parts.iter().find_map(repeating) {
-                Some(action) => repeated(simple, action, table, turns),
-                None => vec![simple],
-            }
-        }
-        Movement::Sequence(_) => vec![simple_leg(movement, table, turns)],
-    };
+    let changes = |action: &Action| action.becoming.as_deref().is_some_and(changes_posture);
+    let postures = if movement.any_action(&changes) { Postures::AtStops } else { Postures::Evenly };
+    let layout = Layout { table, turns, postures };
+    let mut legs = layout.legs(movement, &Stand::Before);
+    legs.truncate(MOST_LEGS);
     if legs.is_empty() {
-        legs.push(simple_leg(movement, table, turns));
+        legs.push(change(table.timing.change));
+    }
+    match postures {
+        Postures::Evenly => {}
+        Postures::AtStops => lead_to_the_key(&mut legs),
     }
     legs
 }
 
 /// A posture kept, or changed to the next key's, without a path.
 pub fn change(duration: f64) -> Leg {
-    Leg {
-        duration,
-        path: Path::Still,
-        end: LegEnd::Displaced,
-        posture: (0.0, 1.0),
-        wrist: Vec::new(),
-        wiggle: Vec::new(),
+    Leg::still(duration, Turn::of_keys(0.0, 1.0))
+}
+
+/// Whether something becomes of shape or orientation.
+fn changes_posture(becoming: &Becoming) -> bool {
+    becoming.configuration.is_some() || becoming.orientation.is_some()
+}
+
+/// How an interval's legs change the posture.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Postures {
+    /// All of them from the key before to the key after.
+    Evenly,
+    /// Some actions say what the hand becomes.
+    AtStops,
+}
+
+/// What movements are laid out with.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Layout<'t> {
+    pub table: &'t MovementTable,
+    pub turns: Turns,
+    pub postures: Postures,
+}
+
+impl Layout<'_> {
+    /// The legs of a movement that begins in a posture.
+    pub(super) fn legs(&self, movement: &Movement, at: &Stand) -> Vec<Leg> {
+        match movement {
+            Movement::Action(action) => self.of_action(action, at),
+            Movement::Sequence(parts) => self.sequence(parts, at),
+            Movement::Repeated(group) => self.of_group(group, at),
+            Movement::Backwards(inner) => backwards(self.legs(inner, at)),
+            Movement::Together(parts) => self.together(parts, at),
+            Movement::Fused(parts) => match super::together::first_repeating(parts) {
+                Some((action, once)) => {
+                    let again = Again::of(action.repetition, self.turns.behind(action));
+                    self.again(&again, at, &|at| self.fused(&once, at))
+                }
+                None => self.fused(parts, at),
+            },
+        }
+    }
+
+    fn sequence(&self, parts: &[Movement], at: &Stand) -> Vec<Leg> {
+        let mut legs: Vec<Leg> = Vec::new();
+        let mut at = at.clone();
+        let mut lengths = Vec::with_capacity(parts.len());
+        for part in parts {
+            if legs.len() > MOST_LEGS {
+                break;
+            }
+            let before = legs.len();
+            legs.extend(self.legs(part, &at).into_iter().map(|leg| Leg { end: leg.end.later(before), ..leg }));
+            at = legs.last().map_or(at, |leg| leg.posture.end().clone());
+            lengths.push((part, before..legs.len()));
+        }
+        if self.postures == Postures::Evenly {
+            let shares = even_shares(&legs);
+            for (part, range) in lengths {
+                let (Some(first), Some(last)) = (shares.get(range.start), shares.get(range.end.saturating_sub(1)))
+                else {
+                    continue;
+                };
+                let (low, high) = (first.0, last.1);
+                for (leg, even) in legs[range.clone()].iter_mut().zip(&shares[range]) {
+                    // A group that repeats comes back to the posture that it began with.
+                    let within = |share: f64| low + (high - low) * share;
+                    leg.posture.share = match part {
+                        Movement::Repeated(_) => (within(leg.posture.share.0), within(leg.posture.share.1)),
+                        Movement::Action(_)
+                        | Movement::Sequence(_)
+                        | Movement::Together(_)
+                        | Movement::Fused(_)
+                        | Movement::Backwards(_) => *even,
+                    };
+                }
+            }
+        }
+        legs
+    }
+
+    fn of_action(&self, action: &Action, at: &Stand) -> Vec<Leg> {
+        let timing = &self.table.timing;
+        let mut legs = Vec::new();
+        if action.manner.contains(&Manner::Rest) {
+            legs.push(Leg::still(timing.rest / pace(action), self.resting(at, 0.0)));
+        }
+        let before = legs.len();
+        let again = Again::of(action.repetition, self.turns.behind(action));
+        let own = self.again(&again, at, &|at| vec![self.leg_of(action, at)]);
+        legs.extend(own.into_iter().map(|leg| Leg { end: leg.end.later(before), ..leg }));
+        let end = legs.last().map_or(at, |leg| leg.posture.end()).clone();
+        if action.manner.contains(&Manner::Bouncing) {
+            let bounce = Leg::still(REBOUND_S / pace(action), self.resting(&end, 1.0));
+            legs.push(Leg { end: LegEnd::Rebound(REBOUND), ..bounce });
+        }
+        if action.manner.contains(&Manner::Halt) {
+            legs.push(Leg::still(timing.halt / pace(action), self.resting(&end, 1.0)));
+        }
+        legs
+    }
+
+    /// A posture that is kept: `share` says at which of the two keys, where postures change evenly.
+    fn resting(&self, at: &Stand, share: f64) -> Turn {
+        match self.postures {
+            Postures::Evenly => Turn::of_keys(share, share),
+            Postures::AtStops => Turn::none(at),
+        }
+    }
+
+    /// One performance of an action.
+    fn leg_of(&self, action: &Action, at: &Stand) -> Leg {
+        let table = self.table;
+        let behind = self.turns.behind(action);
+        let duration = duration_of(action, table);
+        let mut leg = Leg::still(duration, self.turn_of(action, at));
+        leg.path = path_of(&action.motion, table, behind);
+        leg.end = match (&action.target, &action.motion) {
+            _ if action.becoming.as_ref().is_some_and(|b| b.contact.is_some()) => {
+                action.becoming.as_ref().and_then(|b| b.contact).map_or(LegEnd::Displaced, LegEnd::Meeting)
+            }
+            (Some(target), _) => LegEnd::At(target.clone()),
+            (None, Motion::Return { key }) => LegEnd::AtKey(*key),
+            (None, _) => LegEnd::Displaced,
+        };
+        match &action.motion {
+            Motion::Wrist(motion, size) => leg.wrist.push(WristPlay {
+                motion: *motion,
+                amplitude: table.wrist.amplitude(*motion, *size).to_radians(),
+                cycles: (duration * table.wrist.frequency * pace(action)).round().max(1.0),
+                phase: if behind { 0.5 } else { 0.0 },
+                part: (0.0, 1.0),
+            }),
+            Motion::Wiggle(digits) => leg.wiggle.push(Wiggle {
+                digits: if digits.is_empty() { Digits::FINGERS } else { *digits },
+                amplitude: table.wiggle.amplitude.to_radians(),
+                cycles: (duration * table.wiggle.frequency * pace(action)).round().max(1.0),
+                part: (0.0, 1.0),
+            }),
+            Motion::Hold
+            | Motion::Change
+            | Motion::Return { .. }
+            | Motion::Straight { .. }
+            | Motion::Arc { .. }
+            | Motion::Circle { .. } => {}
+        }
+        let order = |manner: &Manner| match manner {
+            Manner::TowardPinky => Some(FingerOrder::TowardPinky),
+            Manner::TowardThumb => Some(FingerOrder::TowardThumb),
+            Manner::Fast | Manner::Slow | Manner::Tense | Manner::Rest | Manner::Halt | Manner::Bouncing => None,
+        };
+        leg.fingers = action.manner.iter().find_map(order).unwrap_or_default();
+        leg.brushing.clone_from(&action.brushing);
+        leg.names.clone_from(&action.names);
+        leg
+    }
+
+    fn turn_of(&self, action: &Action, at: &Stand) -> Turn {
+        match (self.postures, action.becoming.as_deref()) {
+            (Postures::Evenly, _) => Turn::of_keys(0.0, 1.0),
+            (Postures::AtStops, Some(becoming)) if changes_posture(becoming) => {
+                let stop = Stop { from: at.clone(), becoming: becoming.clone() };
+                Turn { from: at.clone(), to: Stand::Within(Arc::new(stop)), share: (0.0, 1.0) }
+            }
+            (Postures::AtStops, _) => Turn::none(at),
+        }
+    }
+
+    /// Blended into one leg.
+    fn fused(&self, parts: &[Movement], at: &Stand) -> Vec<Leg> {
+        let legs = self.sequence(parts, at);
+        let (Some(first), Some(last)) = (legs.first(), legs.last()) else { return Vec::new() };
+        let duration = whole(&legs) * 0.7;
+        let posture = match self.postures {
+            Postures::Evenly => Turn::of_keys(0.0, 1.0),
+            Postures::AtStops => {
+                Turn { from: first.posture.from.clone(), to: last.posture.end().clone(), share: (0.0, 1.0) }
+            }
+        };
+        let mut joined = Leg::still(duration, posture);
+        let mut paths = Vec::with_capacity(parts.len());
+        for part in parts {
+            let own = self.legs(part, at);
+            paths.push(squeezed(&own));
+            let longer = if whole(&own) > 0.0 { duration / whole(&own) } else { 1.0 };
+            for leg in own {
+                let leg = Leg { duration: leg.duration, ..leg }.stretched(longer);
+                joined.wrist.extend(leg.wrist);
+                joined.wiggle.extend(leg.wiggle);
+                joined.brushing = leg.brushing.or(joined.brushing);
+                joined.names = leg.names.or(joined.names);
+                if leg.end.is_placed() {
+                    joined.end = leg.end;
+                }
+            }
+        }
+        joined.path = Path::Fused(paths);
+        vec![joined]
     }
 }
 
-fn sequence(parts: &[Movement], table: &MovementTable, turns: Turns) -> Vec<Leg> {
-    let mut legs: Vec<Leg> = Vec::new();
-    for part in parts {
-        let shift = legs.len();
-        legs.extend(lay_out(part, table, turns).into_iter().map(|mut leg| {
-            leg.end = shifted(leg.end, shift);
-            leg
-        }));
-    }
-    // The posture changes evenly over the whole sequence.
-    let whole: f64 = legs.iter().map(|l| l.duration).sum();
+/// The shares of the time of all legs at which each begins and ends.
+fn even_shares(legs: &[Leg]) -> Vec<(f64, f64)> {
+    let all = whole(legs).max(1e-9);
     let mut done = 0.0;
-    for leg in &mut legs {
-        let from = done / whole;
-        done += leg.duration;
-        leg.posture = (from, done / whole);
-    }
-    legs
+    legs.iter()
+        .map(|leg| {
+            let from = done / all;
+            done += leg.duration;
+            (from, done / all)
+        })
+        .collect()
 }
 
-/// An end in a sequence in which `shift` legs stand before its own.
-fn shifted(end: LegEnd, shift: usize) -> LegEnd {
-    match end {
-        LegEnd::StartOf(leg) => LegEnd::StartOf(leg + shift),
-        LegEnd::Off(end, by) => LegEnd::Off(Box::new(shifted(*end, shift)), by),
-        LegEnd::Displaced | LegEnd::At(_) | LegEnd::AtKey(_) | LegEnd::NextKey => end,
+/// Spreads the change of posture evenly over legs.
+pub(super) fn evenly(legs: &mut [Leg]) {
+    let shares = even_shares(legs);
+    legs.iter_mut().zip(shares).for_each(|(leg, share)| leg.posture.share = share);
+}
+
+/// The legs after the last stop lead on to the key's posture; where there is none, the last change does.
+fn lead_to_the_key(legs: &mut [Leg]) {
+    let last = legs.iter().rposition(|leg| leg.posture.changes()).unwrap_or(0);
+    let (before, trailing) = legs.split_at_mut(last + 1);
+    let Some(changing) = before.last_mut() else { return };
+    let end = changing.posture.end().clone();
+    let stop = match &end {
+        Stand::Within(stop) => Some(stop.clone()),
+        Stand::Before | Stand::After(_) => None,
+    };
+    if trailing.is_empty() {
+        changing.posture.to = Stand::After(stop);
+        return;
     }
+    evenly(trailing);
+    for leg in trailing {
+        leg.posture.from = end.clone();
+        leg.posture.to = Stand::After(stop.clone());
+    }
+}
+
+/// The displacement of legs as one path; what a place says is not in it.
+pub(super) fn squeezed(legs: &[Leg]) -> Path {
+    if let [only] = legs {
+        return only.path.clone();
+    }
+    let (mut starts, mut at) = (Vec::with_capacity(legs.len()), glam::DVec3::ZERO);
+    let mut parts = Vec::with_capacity(legs.len());
+    for leg in legs {
+        starts.push(at);
+        let there = match &leg.end {
+            LegEnd::StartOf(n) => starts.get(*n).copied(),
+            LegEnd::Off(end, by) => match **end {
+                LegEnd::StartOf(n) => starts.get(n).map(|start| *start + *by),
+                _ => None,
+            },
+            LegEnd::Displaced
+            | LegEnd::At(_)
+            | LegEnd::Meeting(_)
+            | LegEnd::Rebound(_)
+            | LegEnd::AtKey(_)
+            | LegEnd::NextKey => None,
+        };
+        let end = there.unwrap_or(at + leg.path.end());
+        let rest = end - at - leg.path.end();
+        let path = match rest.length() > 1e-9 {
+            true => Path::Sum(vec![leg.path.clone(), Path::Straight(rest)]),
+            false => leg.path.clone(),
+        };
+        parts.push((leg.duration, path));
+        at = end;
+    }
+    Path::Chain(parts)
 }
 
 /// The legs from the last to the first, each from its end to its start.
 fn backwards(legs: Vec<Leg>) -> Vec<Leg> {
     let starts: Vec<LegEnd> = (0..legs.len()).map(|i| start_of(&legs, i)).collect();
     let reversed = legs.into_iter().zip(starts).rev();
-    reversed.map(|(leg, start)| Leg { end: start, ..reversed_in_time(leg) }).collect()
+    let mut legs: Vec<Leg> = reversed
+        .map(|(leg, start)| {
+            let was = leg.posture.clone();
+            let leg = Leg { end: start, ..leg.reversed_in_time() };
+            match (&was.from, &was.to) {
+                // Played backwards between two keys, it still leads from the one before to the one after.
+                (Stand::Before, Stand::After(None)) => {
+                    Leg { posture: Turn::of_keys(1.0 - was.share.1, 1.0 - was.share.0), ..leg }
+                }
+                (Stand::Before | Stand::Within(_) | Stand::After(_), _) => leg,
+            }
+        })
+        .collect();
+    // The last stop of the way there is not where the way back begins.
+    if let Some(first) = legs.first_mut().filter(|leg| matches!(leg.posture.from, Stand::Within(_))) {
+        first.posture = Turn::none(first.posture.end());
+    }
+    legs
 }
 
 /// Where a leg began, said as the end of the same leg played backwards.
@@ -162,294 +347,12 @@ fn start_of(legs: &[Leg], leg: usize) -> LegEnd {
     let Some(before) = leg.checked_sub(1).map(|i| &legs[i]) else { return LegEnd::NextKey };
     match &before.end {
         LegEnd::At(place) => LegEnd::At(place.clone()),
+        LegEnd::Meeting(contact) => LegEnd::Meeting(*contact),
         LegEnd::StartOf(earlier) => start_of(legs, *earlier),
         // Its own path leads there, unless a place lies on the way.
         LegEnd::Displaced if legs[leg].end == LegEnd::Displaced => LegEnd::Displaced,
-        LegEnd::Displaced => off(start_of(legs, leg - 1), before.path.end()),
+        LegEnd::Displaced => start_of(legs, leg - 1).off(before.path.end()),
         // A leg that was itself backwards or went back to a key: as far as its path leads.
-        LegEnd::AtKey(_) | LegEnd::NextKey | LegEnd::Off(..) => LegEnd::Displaced,
+        LegEnd::AtKey(_) | LegEnd::NextKey | LegEnd::Off(..) | LegEnd::Rebound(_) => LegEnd::Displaced,
     }
-}
-
-fn off(end: LegEnd, by: DVec3) -> LegEnd {
-    match end {
-        LegEnd::Off(end, before) => LegEnd::Off(end, before + by),
-        end => LegEnd::Off(Box::new(end), by),
-    }
-}
-
-/// A leg from its end to its start; where it ends then is another matter.
-fn reversed_in_time(leg: Leg) -> Leg {
-    let path = match leg.path {
-        Path::Backwards(path) => *path,
-        path => Path::Backwards(Box::new(path)),
-    };
-    Leg {
-        path,
-        posture: (1.0 - leg.posture.1, 1.0 - leg.posture.0),
-        wrist: leg.wrist.into_iter().map(|w| WristPlay { cycles: -w.cycles, ..w }).collect(),
-        wiggle: leg.wiggle.into_iter().map(|w| Wiggle { cycles: -w.cycles, ..w }).collect(),
-        ..leg
-    }
-}
-
-fn repeating(movement: &Movement) -> Option<&Action> {
-    match movement {
-        Movement::Action(action) if action.repetition.is_some() => Some(action),
-        _ => None,
-    }
-}
-
-fn of_action(action: &Action, table: &MovementTable, turns: Turns) -> Vec<Leg> {
-    let leg = leg_of(action, table, turns);
-    let mut legs = Vec::new();
-    if action.manner.contains(&Manner::Rest) {
-        legs.push(Leg { posture: (0.0, 0.0), ..change(table.timing.rest) });
-    }
-    legs.extend(repeated(leg, action, table, turns));
-    if action.manner.contains(&Manner::Halt) {
-        legs.push(Leg { posture: (1.0, 1.0), ..change(table.timing.halt) });
-    }
-    legs
-}
-
-/// A group performed more than once: from where it ended on, leg by leg; otherwise squeezed into one leg.
-fn of_group(group: &Repeated, table: &MovementTable, turns: Turns) -> Vec<Leg> {
-    match group.repetition.kind {
-        RepetitionKind::Continue => sequence(&performances(group), table, turns),
-        RepetitionKind::FromStart | RepetitionKind::ToAndFro => {
-            let hold = Action::new(Motion::Hold);
-            let action = Action { repetition: Some(group.repetition), alternating: group.alternating, ..hold };
-            repeated(simple_leg(&group.movement, table, turns), &action, table, turns)
-        }
-    }
-}
-
-/// The performances of a group that goes on from where it ended.
-fn performances(group: &Repeated) -> Vec<Movement> {
-    let one = match &group.movement {
-        Movement::Sequence(parts) => parts.clone(),
-        other => vec![other.clone()],
-    };
-    vec![one; usize::from(group.repetition.times)].concat()
-}
-
-/// One leg, performed as often as the action says.
-fn repeated(leg: Leg, action: &Action, table: &MovementTable, turns: Turns) -> Vec<Leg> {
-    let Some(repetition) = action.repetition else { return vec![leg] };
-    let there = leg.path.clone();
-    // The hand that alternates starts with the way back.
-    let reverse_first = turns.behind(action) && repetition.kind == RepetitionKind::ToAndFro;
-    let mut legs = Vec::new();
-    for i in 0..repetition.times.max(1) {
-        let size = (1.0 + 0.3 * f64::from(repetition.growth.signum())).powi(i.into());
-        let again = if i == 0 { 1.0 } else { table.timing.again };
-        let sized = |path: &Path| if size == 1.0 { path.clone() } else { Path::Scaled(size, Box::new(path.clone())) };
-        let first = legs.len();
-        let perform =
-            |path: Path, posture: (f64, f64)| Leg { path, posture, duration: leg.duration * again, ..leg.clone() };
-        match repetition.kind {
-            RepetitionKind::FromStart => {
-                legs.push(perform(sized(&there), (0.0, 1.0)));
-                let moved = !there.closes() || matches!(leg.end, LegEnd::At(_));
-                if i + 1 < repetition.times && moved {
-                    let back = leg.duration * again * table.timing.back;
-                    legs.push(Leg { end: LegEnd::StartOf(first), posture: (1.0, 0.0), ..change(back) });
-                }
-            }
-            RepetitionKind::Continue => {
-                let n = f64::from(repetition.times);
-                legs.push(perform(sized(&there), (f64::from(i) / n, f64::from(i + 1) / n)));
-            }
-            RepetitionKind::ToAndFro => {
-                let path = sized(&there);
-                let back = Path::Backwards(Box::new(path.clone()));
-                let (out, home) = if reverse_first { (back, path) } else { (path, back) };
-                legs.push(perform(out, (0.0, 1.0)));
-                legs.push(Leg { end: LegEnd::StartOf(first), ..perform(home, (1.0, 0.0)) });
-            }
-        }
-    }
-    legs
-}
-
-fn leg_of(action: &Action, table: &MovementTable, turns: Turns) -> Leg {
-    let duration = duration_of(action, table);
-    let (mut wrist, mut wiggle) = (Vec::new(), Vec::new());
-    match &action.motion {
-        Motion::Wrist(motion, size) => wrist.push(WristPlay {
-            motion: *motion,
-            amplitude: table.wrist.amplitude(*motion, *size).to_radians(),
-            cycles: (duration * table.wrist.frequency).round().max(1.0),
-            phase: if turns.behind(action) { 0.5 } else { 0.0 },
-        }),
-        Motion::Wiggle(digits) => wiggle.push(Wiggle {
-            digits: if digits.is_empty() { Digits::FINGERS } else { *digits },
-            amplitude: table.wiggle.amplitude.to_radians(),
-            cycles: (duration * table.wiggle.frequency).round().max(1.0),
-        }),
-        Motion::Hold
-        | Motion::Change
-        | Motion::Return { .. }
-        | Motion::Straight { .. }
-        | Motion::Arc { .. }
-        | Motion::Circle { .. } => {}
-    }
-    let displaced = match action.motion {
-        Motion::Return { key } => LegEnd::AtKey(key),
-        _ => LegEnd::Displaced,
-    };
-    Leg {
-        duration,
-        path: path_of(&action.motion, table, turns.behind(action)),
-        end: action.target.clone().map_or(displaced, LegEnd::At),
-        posture: (0.0, 1.0),
-        wrist,
-        wiggle,
-    }
-}
-
-/// What goes on at the same time, one after the other or fused, squeezed into one leg.
-fn simple_leg(movement: &Movement, table: &MovementTable, turns: Turns) -> Leg {
-    let join = |parts: &[Movement], path: fn(Vec<(f64, Path)>) -> Path, duration: fn(&[f64]) -> f64| {
-        let legs: Vec<Leg> = parts.iter().map(|p| simple_leg(p, table, turns)).collect();
-        let durations: Vec<f64> = legs.iter().map(|l| l.duration).collect();
-        let whole = if legs.is_empty() { table.timing.change } else { duration(&durations) };
-        let mut joined = change(whole);
-        for leg in &legs {
-            let longer = if leg.duration > 0.0 { whole / leg.duration } else { 1.0 };
-            let stretched = |cycles: f64| (cycles.abs() * longer).round().max(1.0).copysign(cycles);
-            joined.wrist.extend(leg.wrist.iter().map(|w| WristPlay { cycles: stretched(w.cycles), ..*w }));
-            joined.wiggle.extend(leg.wiggle.iter().map(|w| Wiggle { cycles: stretched(w.cycles), ..*w }));
-            if leg.end != LegEnd::Displaced {
-                joined.end = leg.end.clone();
-            }
-        }
-        joined.path = path(legs.into_iter().map(|l| (l.duration, l.path)).collect());
-        joined
-    };
-    let longest = |all: &[f64]| all.iter().copied().fold(0.0, f64::max);
-    match movement {
-        Movement::Action(action) => leg_of(action, table, turns),
-        Movement::Sequence(parts) => join(parts, Path::Chain, |all| all.iter().sum()),
-        Movement::Repeated(group) => join(&performances(group), Path::Chain, |all| all.iter().sum()),
-        Movement::Backwards(inner) => {
-            let leg = simple_leg(inner, table, turns);
-            let end = if leg.end == LegEnd::Displaced { LegEnd::Displaced } else { LegEnd::NextKey };
-            Leg { end, ..reversed_in_time(leg) }
-        }
-        Movement::Together(parts) => join(parts, |p| Path::Sum(p.into_iter().map(|(_, path)| path).collect()), longest),
-        Movement::Fused(parts) => join(
-            parts,
-            |p| Path::Fused(p.into_iter().map(|(_, path)| path).collect()),
-            |all| all.iter().sum::<f64>() * 0.7,
-        ),
-    }
-}
-
-/// How long one performance of an action lasts, seconds.
-fn duration_of(action: &Action, table: &MovementTable) -> f64 {
-    if let Some(stated) = action.duration {
-        return stated.0;
-    }
-    let t = &table.timing;
-    let by_length = |metres: f64, normal: f64| t.move_time * (metres / normal).max(1e-3).powf(t.length_exponent);
-    let straight = |extent: Extent| by_length(table.straight.metres(extent), table.straight.of(Size::Normal));
-    let waves = |overlay: &Option<Overlay>| if overlay.is_some() { t.waves } else { 1.0 };
-    let plain = match &action.motion {
-        Motion::Hold => t.hold,
-        Motion::Change | Motion::Return { .. } => t.change,
-        Motion::Straight { extent, overlay, .. } => straight(*extent) * waves(overlay),
-        Motion::Arc { extent, depth, overlay, .. } => straight(*extent) * t.arc.of(*depth) * waves(overlay),
-        Motion::Circle { extent, turns, .. } => {
-            let radius = table.circle_radius;
-            let one = by_length(radius.metres(*extent), radius.of(Size::Normal)) * t.circle;
-            if *turns <= 1.0 { one * turns.max(0.4) } else { one + (turns - 1.0) * one / t.circle * t.turn }
-        }
-        Motion::Wrist(..) => t.wrist,
-        Motion::Wiggle(_) => t.wiggle,
-    };
-    let manner: f64 = action
-        .manner
-        .iter()
-        .map(|m| match m {
-            Manner::Fast => t.fast,
-            Manner::Slow => t.slow,
-            Manner::Tense => t.tense,
-            Manner::Rest | Manner::Halt | Manner::Bouncing | Manner::TowardPinky | Manner::TowardThumb => 1.0,
-        })
-        .product();
-    (plain * manner).max(t.least)
-}
-
-fn path_of(motion: &Motion, table: &MovementTable, behind: bool) -> Path {
-    match motion {
-        Motion::Hold | Motion::Change | Motion::Return { .. } | Motion::Wrist(..) | Motion::Wiggle(_) => Path::Still,
-        Motion::Straight { direction, extent, overlay } => {
-            let to = direction.vector() * table.straight.metres(*extent);
-            with_waves(Path::Straight(to), to, overlay, table)
-        }
-        Motion::Arc { direction, extent, bulge, depth, overlay } => {
-            let chord = direction.vector() * table.straight.metres(*extent);
-            let bend = across(bulge.vector(), chord) * chord.length() * table.arc_depth.of(*depth);
-            with_waves(Path::Arc { chord, bend }, chord, overlay, table)
-        }
-        Motion::Circle { axis, extent, start, turns, ellipse, growth, overlay: _ } => {
-            let radius = table.circle_radius.metres(*extent);
-            let (top, side) = clock_face(*axis);
-            let (top, side) = (top * radius, side * radius);
-            let (top, side) = match ellipse {
-                None => (top, side),
-                Some((ratio, long)) => flattened(top, side, *ratio, *long),
-            };
-            let half_a_turn = if behind { 4 } else { 0 };
-            let start = Clock::new((start.eighths() + half_a_turn) % 8).unwrap_or_default();
-            Path::Round {
-                top,
-                side,
-                start: TAU * f64::from(start.eighths()) / 8.0,
-                turns: *turns,
-                growth: 1.0 + 0.35 * f64::from(growth.signum()),
-            }
-        }
-    }
-}
-
-/// The clock face of a circle: its top, and its 3 as seen by one who looks along the axis.
-///
-/// The top is the highest point; of a level circle, the point farthest out (HamNoSys's clock).
-fn clock_face(axis: Heading) -> (DVec3, DVec3) {
-    let axis = axis.vector();
-    let up = if axis.y.abs() > 0.9 { DVec3::Z } else { DVec3::Y };
-    let top = (up - axis * up.dot(axis)).normalize();
-    (top, axis.cross(top))
-}
-
-/// The two half axes with the part across `long` made shorter.
-fn flattened(top: DVec3, side: DVec3, ratio: f64, long: Direction) -> (DVec3, DVec3) {
-    let Some(normal) = top.cross(side).try_normalize() else { return (top, side) };
-    let long = long.vector() - normal * long.vector().dot(normal);
-    let Some(long) = long.try_normalize() else { return (top, side) };
-    let narrow = |v: DVec3| long * v.dot(long) + (v - long * v.dot(long)) * ratio;
-    (narrow(top), narrow(side))
-}
-
-/// The part of `wish` across `chord`, of length 1; any direction across where `wish` lies along the chord.
-fn across(wish: DVec3, chord: DVec3) -> DVec3 {
-    let Some(along) = chord.try_normalize() else { return wish };
-    (wish - along * wish.dot(along)).try_normalize().unwrap_or_else(|| along.any_orthonormal_vector())
-}
-
-fn with_waves(path: Path, along: DVec3, overlay: &Option<Overlay>, table: &MovementTable) -> Path {
-    let Some(overlay) = overlay else { return path };
-    // Waves lie in the plane that looks most towards the addressee: across the path and level, or upright for
-    // paths to the side.
-    let wish = if along.y.abs() > along.x.abs() { DVec3::X } else { DVec3::Y };
-    let across = across(wish, along) * table.wave_amplitude.of(overlay.size);
-    Path::Sum(vec![path, Path::Waves { across, count: table.waves, zigzag: overlay.zigzag }])
-}
-
-/// The share of a posture change that is done at a share of a leg's time.
-pub fn posture_at(leg: &Leg, share: f64, easing: Easing) -> f64 {
-    leg.posture.0 + (leg.posture.1 - leg.posture.0) * easing.weight(share)
 }

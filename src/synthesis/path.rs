@@ -56,6 +56,17 @@ pub enum Path {
     Backwards(Box<Path>),
     /// The same path, smaller or larger.
     Scaled(f64, Box<Path>),
+    /// A path that becomes larger or smaller while it is drawn.
+    Swelling {
+        /// The size at its start.
+        from: f64,
+        /// The size at its end.
+        to: f64,
+        /// The path.
+        path: Box<Path>,
+    },
+    /// What a path draws between two shares of its time.
+    Part(f64, f64, Box<Path>),
 }
 
 impl Path {
@@ -107,6 +118,8 @@ impl Path {
             }
             Path::Backwards(path) => path.at(1.0 - share) - path.end(),
             Path::Scaled(factor, path) => path.at(share) * *factor,
+            Path::Swelling { from, to, path } => path.at(share) * (from + (to - from) * share),
+            Path::Part(from, to, path) => path.at(from + (to - from) * share) - path.at(*from),
         }
     }
 
@@ -145,6 +158,10 @@ impl Path {
             Path::Fused(paths) => Path::Fused(all(paths)),
             Path::Backwards(path) => Path::Backwards(Box::new(path.reflected(signs))),
             Path::Scaled(factor, path) => Path::Scaled(*factor, Box::new(path.reflected(signs))),
+            Path::Swelling { from, to, path } => {
+                Path::Swelling { from: *from, to: *to, path: Box::new(path.reflected(signs)) }
+            }
+            Path::Part(from, to, path) => Path::Part(*from, *to, Box::new(path.reflected(signs))),
         }
     }
 }

@@ -1,7 +1,8 @@
 //! Where a hand is at an instant of the stroke: point, rotation, fingers.
 
-use super::legs::{Leg, posture_at};
-use super::plan::{HandPlan, PlacedLeg};
+use super::leg::Leg;
+use super::plan::{Change, HandPlan, PlacedLeg};
+use crate::body::landmarks::ContactPoint;
 use crate::motion::easing::{Easing, slerp, smoothstep};
 use crate::motion::pose::ModelPose;
 use crate::phonology::WristMotion;
@@ -12,13 +13,13 @@ use std::f64::consts::TAU;
 #[derive(Debug, Clone, Copy)]
 pub struct Instant {
     /// The leg, if there is one.
-    leg: Option<usize>,
+    pub leg: Option<usize>,
     /// The share of the leg's time.
-    share: f64,
-    /// The key before.
-    pub key: usize,
-    /// How much of the change to the key after is done, 0 to 1.
+    pub share: f64,
+    /// How much of the leg's change of posture is done, 0 to 1.
     pub done: f64,
+    /// How much of the change from one point of the hand to another is done, 0 to 1.
+    pub with_done: f64,
 }
 
 /// The instant of a hand `time` seconds after the stroke's start, at the description's own speed.
@@ -27,13 +28,13 @@ pub fn instant(plan: &HandPlan, time: f64, easing: Easing) -> Instant {
     for (i, placed) in plan.legs.iter().enumerate() {
         let last = i + 1 == plan.legs.len();
         if left < placed.leg.duration || last {
-            let share = (left / placed.leg.duration).clamp(0.0, 1.0);
-            let done = posture_at(&placed.leg, share, easing);
-            return Instant { leg: Some(i), share, key: placed.interval, done };
+            let share = (left / placed.leg.duration.max(1e-9)).clamp(0.0, 1.0);
+            let (done, with_done) = (placed.posture.done(share, easing), placed.with.done(share, easing));
+            return Instant { leg: Some(i), share, done, with_done };
         }
         left -= placed.leg.duration;
     }
-    Instant { leg: None, share: 0.0, key: 0, done: 0.0 }
+    Instant { leg: None, share: 0.0, done: 0.0, with_done: 0.0 }
 }
 
 impl Instant {
@@ -42,22 +43,41 @@ impl Instant {
         self.leg.map(|i| (&plan.legs[i], self.share))
     }
 
+    /// The change of posture under way, of `postures`.
+    pub fn change(&self, plan: &HandPlan) -> Change {
+        self.leg(plan).map_or(Change::none(0), |(placed, _)| placed.posture)
+    }
+
     /// Where the contact point should be, given the body in model space.
     pub fn point(&self, plan: &HandPlan, model: &ModelPose) -> DVec3 {
         match self.leg(plan) {
             None => plan.start.position(model),
-            Some((placed, share)) => point_of(placed, share, model),
+            Some((placed, share)) => brushed(placed, share, model),
+        }
+    }
+
+    /// Where the contact point is in the hand, given where each point of the plan is.
+    pub fn offset(&self, plan: &HandPlan, of: impl Fn(&ContactPoint) -> DVec3) -> DVec3 {
+        let Some((placed, share)) = self.leg(plan) else { return of(&plan.points[0]) };
+        let Change { from, to, .. } = placed.with;
+        let (a, b) = (&plan.points[from], &plan.points[to]);
+        let own = if from == to { of(a) } else { of(a).lerp(of(b), self.with_done.clamp(0.0, 1.0)) };
+        match &placed.brush {
+            Some((_, with)) if *with != from || *with != to => own.lerp(of(&plan.points[*with]), bell(share)),
+            Some(_) | None => own,
         }
     }
 
     /// The hand's rotation, without the wrist's play.
     pub fn rotation(&self, plan: &HandPlan, model: &ModelPose) -> DQuat {
-        let (a, b) = (&plan.keys[self.key], &plan.keys[(self.key + 1).min(plan.keys.len() - 1)]);
+        let Change { from, to, .. } = self.change(plan);
+        let (a, b) = (&plan.postures[from], &plan.postures[to]);
+        let via = self.leg(plan).and_then(|(placed, _)| placed.via);
         let turned = match self.done {
             d if d <= 0.0 => a.rotation,
             d if d >= 1.0 => b.rotation,
             // Eased already: the posture's share follows the easing.
-            d => match b.via {
+            d => match via {
                 None => slerp(a.rotation, b.rotation, d),
                 Some(via) if d < 0.5 => slerp(a.rotation, via, 2.0 * d),
                 Some(via) => slerp(via, b.rotation, 2.0 * d - 1.0),
@@ -82,6 +102,7 @@ impl Instant {
         let (flexion, radial, along) = (-DVec3::Z * out, -DVec3::Y * out, -DVec3::X);
         let mut play = DQuat::IDENTITY;
         for w in &placed.leg.wrist {
+            let share = w.part.0 + (w.part.1 - w.part.0) * share;
             let phase = TAU * (share * w.cycles + w.phase);
             let level = w.amplitude * soft(share);
             let turn = |axis: DVec3, wave: f64| DQuat::from_axis_angle(axis, level * wave);
@@ -104,6 +125,7 @@ impl Instant {
         }
         let mut bends = [0.0; 4];
         for w in &placed.leg.wiggle {
+            let share = w.part.0 + (w.part.1 - w.part.0) * share;
             for (i, digit) in crate::phonology::Digit::FINGERS.into_iter().enumerate() {
                 if w.digits.contains(digit) {
                     let phase = TAU * (share * w.cycles - 0.25 * i as f64);
@@ -113,6 +135,20 @@ impl Instant {
         }
         Some(bends)
     }
+}
+
+/// A point on a leg's way, drawn to what it brushes half way, model space.
+fn brushed(placed: &PlacedLeg, share: f64, model: &ModelPose) -> DVec3 {
+    let own = point_of(placed, share, model);
+    match &placed.brush {
+        None => own,
+        Some((anchor, _)) => own + (anchor.position(model) - point_of(placed, 0.5, model)) * bell(share),
+    }
+}
+
+/// 1 half way, nothing at both ends, and level there.
+fn bell(share: f64) -> f64 {
+    smoothstep(2.0 * share.min(1.0 - share))
 }
 
 /// A point on a leg's way, model space.

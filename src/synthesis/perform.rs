@@ -1,6 +1,7 @@
 //! A plan signed: its items laid out in time, strokes written hand by hand, ways between them, face and body.
 
 use super::layout::{Slower, end_place, lay_out, start_place, to_rest};
+use super::phased::Phased;
 use super::plan::HandPlan;
 use super::prepare::{Prepared, prepare};
 use super::report::Report;
@@ -8,10 +9,9 @@ use super::schedule::{Measured, Schedule};
 use super::stage::Stage;
 use super::stroke::{Body, Stint, Stroke};
 use super::timeline::Timeline;
-use super::vary::difference;
 use super::ways::AtRest;
 use super::{Grammar, Options, Performance, clip, tiers};
-use crate::body::signer::Signer;
+use crate::body::signer::{Shoulder, Signer};
 use crate::diagnostics::Error;
 use crate::motion::clip::Frame;
 use crate::motion::pose::LocalPose;
@@ -30,6 +30,8 @@ const LEAST_POSTURE: f64 = 0.10;
 const MOST_PRESSED: f64 = 0.5;
 /// Transitions are not shorter than this, seconds, nor than the wrist's speed allows.
 const LEAST_WAY: f64 = 0.10;
+/// Transitions become at most so many times as long for slow wrists.
+const SLOWEST_WAY: f64 = 4.0;
 /// A hand returns to the neutral pose between two strokes where it can stay there so long, seconds.
 const WORTH_RESTING: f64 = 0.15;
 
@@ -43,15 +45,17 @@ struct Speeds {
 
 /// Signs a plan at its own pace.
 pub(super) fn perform(plan: &Plan, stage: &Stage) -> Result<Performance, Error> {
-    settle(plan, stage).map(|(performance, ..)| performance)
+    let phased = Phased::of(plan);
+    settle(&phased, stage).map(|(performance, ..)| whole_signs(&phased, performance))
 }
 
 /// What a plan takes: its phases as they come out when nothing presses, and how short they may become.
 pub(super) fn measure(plan: &Plan, stage: &Stage) -> Result<Measured, Error> {
-    let (_, mut measured, speeds) = settle(plan, stage)?;
+    let phased = Phased::of(plan);
+    let (_, mut measured, speeds) = settle(&phased, stage)?;
     let least =
         |usual: Seconds, speed: f64, floor: f64| Seconds((usual.0 * speed / WRIST_SPEED).max(floor).min(usual.0));
-    for (i, (phases, item)) in measured.items.iter_mut().zip(&plan.items).enumerate() {
+    for (i, (phases, item)) in measured.items.iter_mut().zip(&phased.plan.items).enumerate() {
         phases.transition.least = least(phases.transition.usual, speeds.ways[i], LEAST_WAY);
         let pressed = phases.stroke.usual.0 * MOST_PRESSED;
         phases.stroke.least = least(phases.stroke.usual, speeds.strokes[i], pressed);
@@ -62,39 +66,55 @@ pub(super) fn measure(plan: &Plan, stage: &Stage) -> Result<Measured, Error> {
         phases.hold.least = least(phases.hold.usual, 0.0, floor);
     }
     measured.retraction.least = least(measured.retraction.usual, speeds.retraction, LEAST_WAY);
-    Ok(measured)
+    Ok(phased.merged(measured))
 }
 
 /// Signs a plan at times that were allotted from outside; they are kept unchanged.
 pub(super) fn render(plan: &Plan, schedule: &Schedule, stage: &Stage) -> Result<Performance, Error> {
     schedule.check(plan.items.len()).map_err(|e| e.context(title(plan)))?;
-    let prepared = prepare(stage, plan)?;
-    write(stage, plan, &prepared, schedule).map(|(performance, _)| performance)
+    let phased = Phased::of(plan);
+    let prepared = prepare(stage, &phased)?;
+    let inner = match phased.plan.items.len() == plan.items.len() {
+        true => schedule.clone(),
+        false => {
+            let usual = lay_out(stage, &phased.plan, &prepared, &Slower::usual(stage, phased.plan.items.len()));
+            phased.schedule(schedule, &usual)
+        }
+    };
+    let (performance, _) = write(stage, &phased, &prepared, &inner)?;
+    Ok(whole_signs(&phased, performance))
+}
+
+/// A performance whose report is about whole signs.
+fn whole_signs(phased: &Phased, mut performance: Performance) -> Performance {
+    performance.report.items = phased.times(&performance.report.items);
+    performance
 }
 
 /// Signs a plan; durations grow until the wrists are slow enough.
-fn settle(plan: &Plan, stage: &Stage) -> Result<(Performance, Measured, Speeds), Error> {
-    let mut prepared = prepare(stage, plan)?;
-    let ways = (0..plan.items.len()).map(|item| difference(stage.options, item).way).collect();
-    let mut slower = Slower { ways, retraction: 1.0 };
+fn settle(phased: &Phased, stage: &Stage) -> Result<(Performance, Measured, Speeds), Error> {
+    let plan = &*phased.plan;
+    let mut prepared = prepare(stage, phased)?;
+    let mut slower = Slower::usual(stage, plan.items.len());
     // Each round measures the speed that the last one came to; two are enough, the third is for luck.
     for round in 0.. {
-        let measured = lay_out(stage, plan, &prepared, &slower);
+        let mut measured = lay_out(stage, plan, &prepared, &slower);
+        phased.keep_stated(&mut measured, stage.options.speed);
         let schedule = measured.schedule();
         schedule.check(plan.items.len()).map_err(|e| e.context(title(plan)))?;
-        let (performance, speeds) = write(stage, plan, &prepared, &schedule)?;
+        let (performance, speeds) = write(stage, phased, &prepared, &schedule)?;
         let mut settled = true;
         let mut grow = |speed: f64| {
             settled &= speed <= WRIST_SPEED;
             if speed > WRIST_SPEED { speed / WRIST_SPEED * 1.02 } else { 1.0 }
         };
         for sign in prepared.iter_mut().filter(|p| !p.states_its_time) {
-            sign.stretch(grow(speeds.strokes[sign.item]));
+            sign.slow_down(grow(speeds.strokes[sign.item]));
         }
         for (factor, speed) in slower.ways.iter_mut().zip(&speeds.ways) {
-            *factor *= grow(*speed);
+            *factor = (*factor * grow(*speed)).min(SLOWEST_WAY.max(*factor));
         }
-        slower.retraction *= grow(speeds.retraction);
+        slower.retraction = (slower.retraction * grow(speeds.retraction)).min(SLOWEST_WAY);
         if settled || round == 3 {
             return Ok((performance, measured, speeds));
         }
@@ -105,17 +125,18 @@ fn settle(plan: &Plan, stage: &Stage) -> Result<(Performance, Measured, Speeds),
 /// Writes all frames of a plan.
 fn write(
     stage: &Stage,
-    plan: &Plan,
+    phased: &Phased,
     prepared: &[Prepared],
     schedule: &Schedule,
 ) -> Result<(Performance, Speeds), Error> {
+    let plan = &*phased.plan;
     let timelines = timelines(prepared, schedule);
     let cues = stage.cues(plan, prepared, &timelines, schedule)?;
     let fps = stage.options.fps;
     let count = fps.frame_count(schedule.end);
     let mut poses = vec![stage.neutral.clone(); count];
     let mut weights = vec![vec![0.0f32; stage.signer.morphs.len()]; count];
-    let mut raised = vec![[0.0; 2]; count];
+    let mut raised = vec![[Shoulder::default(); 2]; count];
     if !cues.is_empty() {
         for i in 0..count {
             raised[i] = stage.express(&cues, fps.time_of(FrameIndex(i)).0, &mut poses[i], &mut weights[i]);
@@ -128,16 +149,21 @@ fn write(
         items: schedule.items.clone(),
         ..Report::default()
     };
-    let named = plan.items.len() > 1;
+    let named = phased.groups.len() > 1;
     let whose = |sign: &Prepared| if named { format!("{}: ", plan.items[sign.item].gloss) } else { String::new() };
+    for sign in prepared {
+        report.warnings.extend(sign.known.warnings.iter().map(|warning| format!("{}{warning}", whose(sign))));
+    }
     let mut stints: [Vec<(Stint, &HandPlan)>; 2] = Default::default();
     for (sign, timeline) in prepared.iter().zip(&timelines) {
         for hand in &sign.hands {
             let until = held_until(stage, plan, prepared, schedule, sign.item, hand);
             let stint = stint(stage, hand.side, sign.item, timeline.stroke, until, count);
             let own = &mut stints[hand.side as usize];
-            let stint = follow_on(own.last_mut().map(|(s, _)| s), stint)
-                .ok_or_else(|| Error::new("there is no time for it").context(&plan.items[sign.item].gloss))?;
+            let Some(stint) = follow_on(own.last_mut().map(|(s, _)| s), stint) else {
+                report.warnings.push(format!("{}there is no time for it; it is passed over", whose(sign)));
+                continue;
+            };
             let still = cues.is_empty() && !hand.on_other_hand;
             let body = if still { Body::Still } else { Body::Moving };
             let stroke = Stroke { plan: hand, stint: &stint, timeline, natural: sign.natural(), body, raised: &raised };
@@ -179,7 +205,15 @@ fn timelines(prepared: &[Prepared], schedule: &Schedule) -> Vec<Timeline> {
         Some(before) => before.hold_end,
         None => schedule.start,
     };
-    prepared.iter().map(|p| Timeline::new(p, start(p.item).0, &schedule.items[p.item])).collect()
+    let of = |p: &Prepared| {
+        let timeline = Timeline::new(p, start(p.item).0, &schedule.items[p.item]);
+        let ends = p.group.end.checked_sub(1).and_then(|last| schedule.items.get(last));
+        match ends.filter(|_| p.group.start == p.item) {
+            Some(last) => Timeline { sign_end: last.hold_end.0, ..timeline },
+            None => timeline,
+        }
+    };
+    prepared.iter().map(of).collect()
 }
 
 /// The frames of a stroke and its hold.
@@ -226,7 +260,7 @@ fn held_until(
                     until = schedule.items[j].hold_end.0;
                 }
             }
-            Act::Sign(_) if !buoy => return until,
+            Act::Sign(sign) if !buoy && !sign.holds_over => return until,
             Act::Sign(_) => {
                 let own = prepared.binary_search_by_key(&j, |p| p.item).ok().map(|n| &prepared[n]);
                 let Some(again) = own.and_then(|p| p.hands.iter().find(|h| h.side == hand.side)) else {

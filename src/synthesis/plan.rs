@@ -1,36 +1,53 @@
-//! One hand's part of a sign, made concrete: postures at keys, legs in intervals, anchors at both ends of each.
+//! One hand's part of a sign, made concrete: postures, the points that touch, legs with anchors at both ends.
 
 use super::anchor::Anchor;
-use super::legs::Leg;
-use super::placed::going_back;
-use super::posture::{Part, Site};
+use super::leg::{Leg, done_at};
+use super::posture::Part;
+use super::walk::Walk;
 use super::{Grammar, side_of};
 use crate::body::landmarks::ContactPoint;
 use crate::body::signer::Signer;
 use crate::diagnostics::Error;
-use crate::motion::easing::slerp;
+use crate::motion::easing::{Easing, slerp};
 use crate::motion::pose::ModelPose;
 use crate::phonology::handshape::HandAngles;
 use crate::phonology::symmetry::{acts, resolve};
-use crate::phonology::{Hand, Side, Sign};
+use crate::phonology::{Hand, Hands, Side, Sign};
 use glam::{DQuat, DVec3};
+use std::collections::BTreeMap;
 
-/// A hand's posture at one key.
+/// A hand's shape and rotation.
 #[derive(Debug, Clone)]
 pub struct KeyPosture {
     /// Joint angles of the fingers.
     pub angles: HandAngles,
     /// The hand's rotation, model space.
     pub rotation: DQuat,
-    /// Where the hand turns through on its way from the key before, where the turn is so wide that the short way
-    /// about is not the bodily one.
-    pub via: Option<DQuat>,
     /// Turning with the path.
     pub along_path: bool,
-    /// The point of the hand that is placed.
-    pub with: ContactPoint,
-    /// Where it is placed, where the key says so.
-    pub anchor: Option<Anchor>,
+}
+
+/// A part of a change between two of a list, postures or points of the hand.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Change {
+    /// Number in the list.
+    pub from: usize,
+    /// Number in the list.
+    pub to: usize,
+    /// How much of the change is done at the leg's start and at its end, 0 to 1.
+    pub share: (f64, f64),
+}
+
+impl Change {
+    /// No change.
+    pub fn none(at: usize) -> Change {
+        Change { from: at, to: at, share: (0.0, 0.0) }
+    }
+
+    /// How much is done at a share of the leg's time.
+    pub fn done(&self, time: f64, easing: Easing) -> f64 {
+        done_at(self.share, time, easing)
+    }
 }
 
 /// A leg with where it starts and ends.
@@ -44,6 +61,25 @@ pub struct PlacedLeg {
     pub from: Anchor,
     /// Where it ends.
     pub to: Anchor,
+    /// The postures that it leads from and to, of [`HandPlan::postures`].
+    pub posture: Change,
+    /// Where the hand turns through on its way, where the turn is so wide that the short way about is not the bodily one.
+    pub via: Option<DQuat>,
+    /// The points of the hand that are placed, of [`HandPlan::points`].
+    pub with: Change,
+    /// What is touched half way: where, and with which point.
+    pub brush: Option<(Anchor, usize)>,
+    /// Whether it takes the other hand's motion along.
+    pub hold: Riding,
+}
+
+/// Whether a hand that is on the other one goes where that one goes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Riding {
+    /// It stays on it.
+    Rides,
+    /// Both move away from where they met: its way starts there, and is its own.
+    LetsGo,
 }
 
 /// One hand's part of a sign.
@@ -51,8 +87,10 @@ pub struct PlacedLeg {
 pub struct HandPlan {
     /// Which side of the body.
     pub side: Side,
-    /// N + 1 postures.
-    pub keys: Vec<KeyPosture>,
+    /// The postures: at the N + 1 keys, and in between.
+    pub postures: Vec<KeyPosture>,
+    /// The points of the hand that are placed.
+    pub points: Vec<ContactPoint>,
     /// The legs, in order; none for a sign without intervals.
     pub legs: Vec<PlacedLeg>,
     /// Where it is when there is no leg.
@@ -74,6 +112,9 @@ impl HandPlan {
         for leg in &mut self.legs {
             leg.from = leg.from.clone().moved(by);
             leg.to = leg.to.clone().moved(by);
+            if let Some((anchor, _)) = &mut leg.brush {
+                *anchor = anchor.clone().moved(by);
+            }
         }
         if let Some(path) = &mut self.wrist_path {
             path.places.iter_mut().for_each(|place| *place += by);
@@ -101,6 +142,24 @@ impl WristPath {
     }
 }
 
+/// What is found out about a sign while its hands are planned.
+#[derive(Debug, Clone, Default)]
+pub struct Known {
+    /// Places that movements gave a name to.
+    pub referents: BTreeMap<String, Anchor>,
+    /// Sentences for the author.
+    pub warnings: Vec<String>,
+}
+
+impl Known {
+    /// Warns, once.
+    pub(super) fn warn(&mut self, warning: String) {
+        if !self.warnings.contains(&warning) {
+            self.warnings.push(warning);
+        }
+    }
+}
+
 /// What plans are made with.
 pub struct Planner<'a> {
     /// The inventories.
@@ -115,61 +174,75 @@ impl Planner<'_> {
     /// The plans of the acting hands, the one that the other depends on first.
     ///
     /// # Errors
-    /// Unknown names; hands that depend on each other; a sign in which no hand is left.
-    pub fn plan(&self, sign: &Sign) -> Result<Vec<HandPlan>, Error> {
-        let hands: Vec<Hand> = Hand::BOTH.into_iter().filter(|h| acts(sign, *h)).collect();
-        let mut plans = hands.iter().map(|h| self.plan_hand(sign, *h)).collect::<Result<Vec<_>, _>>()?;
+    /// Unknown names.
+    pub fn plan(&self, sign: &Sign, known: &mut Known) -> Result<Vec<HandPlan>, Error> {
+        let before = known.clone();
+        let mut plans = self.plan_with(sign, known, None)?;
         if plans.iter().filter(|p| p.on_other_hand).count() > 1 {
-            return Err(Error::new("each hand is placed on the other; say where one of them is"));
+            // Each is placed on the other: the weak one is where it would be without the strong one.
+            *known = before;
+            let keeps = match sign.hands {
+                Hands::Both(Some(_)) => Instead::Middle,
+                Hands::Both(None) | Hands::Strong | Hands::Weak => {
+                    known.warn("each hand is placed on the other; the weak hand keeps its own place".to_owned());
+                    Instead::OwnPlace
+                }
+            };
+            plans = self.plan_with(sign, known, Some(keeps))?;
         }
         plans.sort_by_key(|p| p.on_other_hand);
         same_times(&mut plans, sign.intervals);
+        bound(&mut plans, known);
         if let Some(stated) = sign.duration {
             let whole: f64 = plans.first().map_or(0.0, |p| p.legs.iter().map(|l| l.leg.duration).sum());
-            if whole > 0.0 {
-                stretch(&mut plans, stated.0 / whole);
+            if whole > 0.0 && stated.0.is_finite() {
+                stretch(&mut plans, stated.0.clamp(0.01, LONGEST_STATED) / whole);
             }
         }
         Ok(plans)
     }
 
-    fn plan_hand(&self, sign: &Sign, hand: Hand) -> Result<HandPlan, Error> {
-        let said = resolve(sign, hand);
-        let side = side_of(hand);
-        let mut on_other_hand = false;
-        let at_key = |key: usize| move |e: Error| e.context(format_args!("key {} of the {}", key + 1, name_of(hand)));
-        let part = Part { sign, hand, said: &said };
-        let mut sites = Vec::with_capacity(sign.intervals + 1);
-        for key in 0..=sign.intervals {
-            sites.push(self.site(part, key, &mut on_other_hand).map_err(at_key(key))?);
+    fn plan_with(&self, sign: &Sign, known: &mut Known, weak: Option<Instead>) -> Result<Vec<HandPlan>, Error> {
+        let hands: Vec<Hand> = Hand::BOTH.into_iter().filter(|h| acts(sign, *h)).collect();
+        let said: Vec<_> = hands.iter().map(|hand| resolve(sign, *hand)).collect();
+        let mut walks = Vec::with_capacity(hands.len());
+        for (hand, said) in hands.iter().zip(&said) {
+            let instead = weak.filter(|_| *hand == Hand::Weak);
+            let part = Part { sign, hand: *hand, said, instead };
+            walks.push(self.walk(part, known).map_err(|e| named(e, *hand))?);
         }
-        let intervals = self.intervals(sign, &said);
-        let derived = going_back(&intervals, &sites, 0);
-        if sites[0].with.is_none() && derived.is_some() {
-            // Going back from a place that is said later, the hand goes with the same point.
-            sites[0].with = sites.iter().find_map(|s| s.with.clone());
+        self.begin_apart(&mut walks);
+        self.meet(&mut walks, 0, known)?;
+        for interval in 0..sign.intervals {
+            self.step(&mut walks, interval, known)?;
         }
-        let start = derived.clone().map_or_else(|| self.default_place(sign, side), Ok)?;
-        let mut keys: Vec<KeyPosture> = Vec::with_capacity(sites.len());
-        for (key, site) in sites.iter().enumerate() {
-            let place = site.anchor.as_ref().or(derived.as_ref().filter(|_| key == 0));
-            let posture = self.posture(part, key, keys.last(), site, place).map_err(at_key(key))?;
-            keys.push(posture);
+        let moving: Vec<Vec<bool>> = walks.iter().map(Walk::moving).collect();
+        let mut plans = Vec::with_capacity(walks.len());
+        for (n, mut walk) in walks.into_iter().enumerate() {
+            if let Some(other) = moving.get(1 - n.min(1)).filter(|_| moving.len() == 2) {
+                self.let_go(&mut walk, other);
+            }
+            let hand = walk.part.hand;
+            plans.push(self.postures(walk).map_err(|e| named(e, hand))?);
         }
-        let legs = self.legs(sign, hand, &intervals, &sites, &start, &mut on_other_hand)?;
-        // A hand that touches the body comes from outside; elsewhere it may follow the forearm.
-        let on_skin = said.placement.iter().any(|(_, p)| self.outward(p, side).is_some());
-        let touching = on_skin || !sign.contact.is_empty();
-        let free_hand = said.orientation.is_empty() && !on_skin && !sites.iter().any(Site::is_turned);
-        Ok(HandPlan { side, keys, legs, start, on_other_hand, free_hand, touching, wrist_path: None })
+        Ok(plans)
     }
 }
 
-fn name_of(hand: Hand) -> &'static str {
-    match hand {
-        Hand::Strong => "strong hand",
-        Hand::Weak => "weak hand",
-    }
+/// Where a weak hand is that is said to be on a strong hand that is on it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Instead {
+    /// In the middle, where both meet.
+    Middle,
+    /// In its own half of the neutral space.
+    OwnPlace,
+}
+
+fn named(error: Error, hand: Hand) -> Error {
+    error.context(match side_of(hand) {
+        Side::Right => "the strong hand",
+        Side::Left => "the weak hand",
+    })
 }
 
 /// Gives every interval the same time in both hands: that of the slower one.
@@ -185,6 +258,20 @@ fn same_times(plans: &mut [HandPlan], intervals: usize) {
                 plan.legs.iter_mut().filter(|l| l.interval == i).for_each(|l| l.leg.duration *= longest / own);
             }
         }
+    }
+}
+
+/// No stroke lasts longer, seconds, whatever repeats how often.
+const LONGEST: f64 = 120.0;
+/// No stroke lasts longer, seconds, although its author says so.
+const LONGEST_STATED: f64 = 1200.0;
+
+/// Brings a stroke without end to an end.
+fn bound(plans: &mut [HandPlan], known: &mut Known) {
+    let whole: f64 = plans.first().map_or(0.0, |p| p.legs.iter().map(|l| l.leg.duration).sum());
+    if whole > LONGEST {
+        stretch(plans, LONGEST / whole);
+        known.warn(format!("the movement would last {whole:.0} s; it is made in {LONGEST:.0} s"));
     }
 }
 

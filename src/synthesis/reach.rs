@@ -7,6 +7,7 @@
 //! take from the orientation is reported.
 
 use crate::body::arm::{ArmRig, WristLimits};
+use crate::body::signer::Shoulder;
 use crate::motion::arm::{ArmAngles, ArmHint, ArmPose, orient};
 use crate::motion::easing::smoothstep;
 use crate::motion::fabrik::{Options as FabrikOptions, Pole};
@@ -28,8 +29,8 @@ pub struct HandTarget {
     pub clavicle: DVec3,
     /// Rotation of the clavicle's parent.
     pub trunk: DQuat,
-    /// How far the shoulder is raised by the description, radians.
-    pub raised: f64,
+    /// How the description moves the shoulder.
+    pub raised: Shoulder,
 }
 
 /// An arm at one frame.
@@ -188,7 +189,7 @@ struct Chain<'a> {
 impl Chain<'_> {
     /// The clavicle's local rotation, and where the shoulder then is.
     fn shoulder(&self, target: &HandTarget, wrist: DVec3) -> (DQuat, DVec3) {
-        let raised = DQuat::from_rotation_z(target.raised * self.arm.side.sign());
+        let raised = target.raised.rotation(self.arm.side);
         let at = |local: DQuat| target.clavicle + target.trunk * (local * self.clavicle_to_shoulder);
         let shoulder = at(raised);
         let gap = wrist - shoulder;

@@ -13,6 +13,7 @@ use super::schedule::Times;
 use super::stage::Stage;
 use super::stroke::{Body, Stint, Stroke};
 use super::timeline::Timeline;
+use crate::body::signer::Shoulder;
 use crate::diagnostics::Error;
 use crate::motion::pose::{LocalPose, ModelPose};
 use crate::phonology::{Place, Placement};
@@ -20,33 +21,36 @@ use crate::time::Seconds;
 use glam::DVec3;
 
 impl Stage<'_> {
-    /// Moves a planned sign to a place.
+    /// How far a planned sign is moved to be at a place: from its wrists' mean place, model space, metres.
     ///
     /// # Errors
     /// A place that the inventory lacks.
-    pub(super) fn relocate(&self, prepared: &mut Prepared, place: &Place) -> Result<(), Error> {
-        let target = self.planner().place(&Placement::at(place.clone()), prepared.sign)?.position(&self.neutral_model);
-        let citation = self.citation(prepared);
-        let paths: Vec<WristPath> = prepared
-            .hands
-            .iter()
-            .map(|hand| {
-                let joint = self.signer.arm(hand.side).hand;
-                WristPath {
-                    places: citation.iter().map(|body| body.position(joint)).collect(),
-                    rotations: citation.iter().map(|body| body.rotation(joint)).collect(),
-                }
-            })
-            .collect();
+    pub(super) fn way_to(&self, prepared: &mut Prepared, place: &Place, paths: &[WristPath]) -> Result<DVec3, Error> {
+        let placement = Placement::at(place.clone());
+        let target = self.planner().place(&placement, prepared.sign, &mut prepared.known)?;
         let places = || paths.iter().flat_map(|path| &path.places);
-        let by = target - places().sum::<DVec3>() / places().count().max(1) as f64;
+        let mean = places().sum::<DVec3>() / places().count().max(1) as f64;
+        Ok(target.position(&self.neutral_model) - mean)
+    }
+
+    /// Moves a planned sign by a vector, model space, metres; the wrists go their own ways.
+    pub(super) fn relocate(&self, prepared: &mut Prepared, paths: Vec<WristPath>, by: DVec3) {
         for (hand, path) in prepared.hands.iter_mut().zip(paths) {
             hand.free_hand = false;
             hand.on_other_hand = false;
             hand.wrist_path = Some(path);
             hand.shift(by);
         }
-        Ok(())
+    }
+
+    /// The wrists' own ways where the description has them.
+    pub(super) fn wrist_paths(&self, prepared: &Prepared) -> Vec<WristPath> {
+        let citation = self.citation(prepared);
+        let of = |joint| WristPath {
+            places: citation.iter().map(|body| body.position(joint)).collect(),
+            rotations: citation.iter().map(|body| body.rotation(joint)).collect(),
+        };
+        prepared.hands.iter().map(|hand| of(self.signer.arm(hand.side).hand)).collect()
     }
 
     /// The body in the stroke of a sign where its description has it, evenly over the stroke; one pose at least.
@@ -58,7 +62,7 @@ impl Stage<'_> {
         let whole = Seconds(last as f64 / self.options.fps.get());
         let timeline =
             Timeline::new(prepared, 0.0, &Times { stroke: Seconds(0.0), stroke_end: whole, hold_end: whole });
-        let raised = vec![[0.0; 2]; poses.len()];
+        let raised = vec![[Shoulder::default(); 2]; poses.len()];
         for hand in &prepared.hands {
             let stint = Stint { side: hand.side, item: prepared.item, first: 0, last };
             let body = if hand.on_other_hand { Body::Moving } else { Body::Still };

@@ -1,15 +1,21 @@
 //! One hand's stroke and hold, frame by frame: the fingers eased from key to key, the arm solved behind the hand.
 
+use super::anchor::Anchor;
+use super::leg::{FingerOrder, LegEnd};
 use super::path_of_hand::{Instant, instant};
-use super::plan::HandPlan;
+use super::plan::{HandPlan, Riding};
 use super::reach::{ArmFrame, HandTarget, ReachOptions, follow};
 use super::stage::Stage;
 use super::timeline::Timeline;
 use crate::body::landmarks::ContactPoint;
+use crate::body::signer::Shoulder;
 use crate::motion::pose::{LocalPose, ModelPose};
 use crate::motion::short_arc::ShortArc;
 use crate::phonology::Side;
 use glam::{DQuat, DVec3};
+
+/// How often an arm is solved again whose point above the wrist is placed.
+const ROUNDS: usize = 4;
 
 /// The frames of one hand's stroke and hold.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -43,8 +49,8 @@ pub(super) struct Stroke<'s> {
     pub natural: f64,
     /// Whether the body moves under the arm.
     pub body: Body,
-    /// How far both shoulders are raised in each frame of the clip, radians.
-    pub raised: &'s [[f64; 2]],
+    /// How both shoulders are moved in each frame of the clip.
+    pub raised: &'s [[Shoulder; 2]],
 }
 
 impl Stage<'_> {
@@ -64,6 +70,8 @@ impl Stage<'_> {
             Body::Still => Vec::new(),
         };
         let trunk = skeleton[arm.clavicle].parent.unwrap_or(arm.clavicle);
+        let let_go = let_go(plan, &instants, &models);
+        let plan = let_go.as_ref().unwrap_or(plan);
         let target = |(n, now): (usize, &Instant)| {
             let model = models.get(n).unwrap_or(&self.neutral_model);
             let (clavicle, trunk) = (model.position(arm.clavicle), model.rotation(trunk));
@@ -87,19 +95,63 @@ impl Stage<'_> {
                 raised,
             }
         };
-        let targets: Vec<HandTarget> = instants.iter().enumerate().map(target).collect();
+        let mut targets: Vec<HandTarget> = instants.iter().enumerate().map(target).collect();
         let options = ReachOptions {
             limits: super::limits(self.options),
             clavicle: !self.options.paper,
             free_hand: plan.free_hand,
             knot_every: (fps * 0.15).round().max(1.0) as usize,
         };
-        let solved = follow(arm, skeleton.offset(arm.upper), &targets, &options);
-        for (pose, frame) in poses[frames].iter_mut().zip(&solved) {
-            pose.set(arm.clavicle, frame.clavicle);
-            arm.write(&frame.arm, pose);
+        let solve = |targets: &[HandTarget], poses: &mut [LocalPose]| {
+            let solved = follow(arm, skeleton.offset(arm.upper), targets, &options);
+            for (pose, frame) in poses[frames.clone()].iter_mut().zip(&solved) {
+                pose.set(arm.clavicle, frame.clavicle);
+                arm.write(&frame.arm, pose);
+            }
+            solved
+        };
+        let mut solved = solve(&targets, poses);
+        if plan.wrist_path.is_none() && plan.points.iter().any(|point| self.is_above_wrist(plan.side, point)) {
+            // Where a point of the arm is, is known only when the arm is: the target is moved by what is missed.
+            let wanted: Vec<DVec3> = targets.iter().map(|t| t.point).collect();
+            for _ in 0..ROUNDS {
+                for (n, target) in targets.iter_mut().enumerate() {
+                    let model = poses[stint.first + n].to_model(skeleton);
+                    let turned = model.rotation(arm.hand).inverse();
+                    let offset = instants[n].offset(plan, |point: &ContactPoint| {
+                        turned * (point.position(&model) - model.position(arm.hand))
+                    });
+                    let missed = wanted[n] - model.point(arm.hand, offset);
+                    target.point += missed.clamp_length_max(0.3);
+                }
+                solved = solve(&targets, poses);
+            }
+            for (n, frame) in solved.iter_mut().enumerate() {
+                let model = poses[stint.first + n].to_model(skeleton);
+                let turned = model.rotation(arm.hand).inverse();
+                let offset = instants[n]
+                    .offset(plan, |point: &ContactPoint| turned * (point.position(&model) - model.position(arm.hand)));
+                frame.residual_m = wanted[n].distance(model.point(arm.hand, offset));
+            }
         }
+        let wrists: Vec<DVec3> = solved.iter().map(|frame| frame.wrist).collect();
+        self.smooth(plan.side, &wrists, &mut poses[frames]);
         solved
+    }
+
+    /// Whether a point of a limb lies above its hand.
+    fn is_above_wrist(&self, side: Side, point: &ContactPoint) -> bool {
+        let (skeleton, hand) = (&self.signer.skeleton, self.signer.arm(side).hand);
+        point.parts().iter().any(|part| {
+            let mut at = Some(part.joint);
+            while let Some(joint) = at {
+                if joint == hand {
+                    return false;
+                }
+                at = skeleton[joint].parent;
+            }
+            true
+        })
     }
 
     /// The contact point in the hand's axes, from the wrist, for the fingers as they are now.
@@ -108,28 +160,42 @@ impl Stage<'_> {
             // The paper places the wrist (Naert et al. 2021, §4).
             return DVec3::ZERO;
         }
-        let (a, b) = (&plan.keys[now.key], &plan.keys[(now.key + 1).min(plan.keys.len() - 1)]);
-        let of = |contact: &ContactPoint| self.signer.in_hand(plan.side, contact, pose);
-        if a.with == b.with { of(&a.with) } else { of(&a.with).lerp(of(&b.with), now.done.clamp(0.0, 1.0)) }
+        now.offset(plan, |contact: &ContactPoint| self.signer.in_hand(plan.side, contact, pose))
     }
 
-    /// The fingers from key to key, eased in joint space (Naert et al. 2021, §5.2).
+    /// The fingers from posture to posture, eased in joint space (Naert et al. 2021, §5.2).
     fn write_fingers(&self, plan: &HandPlan, instants: &[Instant], poses: &mut [LocalPose]) {
         let easing = self.options.easing;
-        let shapes: Vec<[DQuat; 15]> = plan.keys.iter().map(|k| self.fingers(plan.side, &k.angles)).collect();
-        let after = |k: usize| &shapes[(k + 1).min(shapes.len() - 1)];
-        // The way from each key's shape to the next one's.
-        let changes: Vec<[ShortArc; 15]> =
-            (0..shapes.len()).map(|k| std::array::from_fn(|j| ShortArc::new(shapes[k][j], after(k)[j]))).collect();
+        let shapes: Vec<[DQuat; 15]> = plan.postures.iter().map(|k| self.fingers(plan.side, &k.angles)).collect();
+        // The ways from one shape to another, each made once.
+        let mut ways: Vec<((usize, usize), [ShortArc; 15])> = Vec::new();
         let joints = self.signer.hand(plan.side).joints();
         for (now, pose) in instants.iter().zip(poses) {
+            let change = now.change(plan);
+            let order = now.leg(plan).map_or(FingerOrder::Together, |(placed, _)| placed.leg.fingers);
             let mut fingers = match now.done {
-                d if d <= 0.0 => shapes[now.key],
-                d if d >= 1.0 => *after(now.key),
-                d => std::array::from_fn(|j| changes[now.key][j].eased(easing, d)),
+                d if order == FingerOrder::Together && d <= 0.0 => shapes[change.from],
+                d if order == FingerOrder::Together && d >= 1.0 => shapes[change.to],
+                d => {
+                    let pair = (change.from, change.to);
+                    let known = ways.iter().rposition(|(of, _)| *of == pair).unwrap_or_else(|| {
+                        let way = std::array::from_fn(|j| ShortArc::new(shapes[pair.0][j], shapes[pair.1][j]));
+                        ways.push((pair, way));
+                        ways.len() - 1
+                    });
+                    let arcs = &ways[known].1;
+                    match order {
+                        FingerOrder::Together => std::array::from_fn(|j| arcs[j].eased(easing, d)),
+                        // Joints come thumb first, three a digit.
+                        FingerOrder::TowardPinky | FingerOrder::TowardThumb => std::array::from_fn(|j| {
+                            let done = change.done(order.share(j / 3, now.share), easing);
+                            arcs[j].eased(easing, done.clamp(0.0, 1.0))
+                        }),
+                    }
+                }
             };
             for (finger, bend) in now.wiggle(plan).into_iter().flatten().enumerate() {
-                // Joints come thumb first, three a digit; flexion is about ∓Z.
+                // Flexion is about ∓Z.
                 let knuckle = 3 * (finger + 1);
                 fingers[knuckle] *= DQuat::from_rotation_z(-bend * plan.side.sign());
             }
@@ -138,4 +204,40 @@ impl Stage<'_> {
             }
         }
     }
+}
+
+/// The plan with the ways of a hand that lets go of the other one standing where they begin; `None` where none does.
+fn let_go(plan: &HandPlan, instants: &[Instant], models: &[ModelPose]) -> Option<HandPlan> {
+    if plan.legs.iter().all(|leg| leg.hold == Riding::Rides) || models.is_empty() {
+        return None;
+    }
+    let mut own = plan.clone();
+    // Where the hand is now, once it has let go: the place that the plan has for it, and the one that it is at.
+    let mut now: Option<(Anchor, Anchor)> = None;
+    for n in 0..own.legs.len() {
+        let interval = own.legs[n].interval;
+        let first = own.legs.iter().position(|leg| leg.interval == interval).unwrap_or(n);
+        let leg = &own.legs[n];
+        let (planned, was) = (leg.from.clone(), leg.to.clone());
+        let mut from = now.take().filter(|(planned, _)| *planned == leg.from).map_or(leg.from.clone(), |(_, at)| at);
+        if leg.hold == Riding::LetsGo {
+            let frame = instants.iter().position(|i| i.leg >= Some(n)).unwrap_or(models.len() - 1);
+            from = Anchor::Fixed(from.position(&models[frame.min(models.len() - 1)]));
+        }
+        let to = match &leg.leg.end {
+            _ if from == planned => was.clone(),
+            LegEnd::StartOf(earlier) => own.legs.get(first + earlier).map_or(was.clone(), |leg| leg.from.clone()),
+            LegEnd::Displaced if was == planned.moved(leg.leg.path.end()) => from.clone().moved(leg.leg.path.end()),
+            LegEnd::Displaced
+            | LegEnd::At(_)
+            | LegEnd::Meeting(_)
+            | LegEnd::Rebound(_)
+            | LegEnd::AtKey(_)
+            | LegEnd::NextKey
+            | LegEnd::Off(..) => was.clone(),
+        };
+        now = Some((was, to.clone()));
+        (own.legs[n].from, own.legs[n].to) = (from, to);
+    }
+    Some(own)
 }

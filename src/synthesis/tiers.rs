@@ -22,7 +22,10 @@ pub(super) fn of_plan(plan: &Plan, prepared: &[Prepared], timelines: &[Timeline]
     let mut tiers = Tiers::default();
     for (n, (sign, timeline)) in prepared.iter().zip(timelines).enumerate() {
         let item = &plan.items[sign.item];
-        of_sign(sign, &item.gloss, timeline, &mut tiers);
+        if sign.item == sign.group.start {
+            gloss(sign, &item.gloss, prepared, schedule, &mut tiers);
+        }
+        of_sign(sign, timeline, &mut tiers);
         let before = n.checked_sub(1).map(|p| prepared[p].item);
         let rested = before.is_none_or(|b| plan.items[b + 1..sign.item].iter().any(|i| matches!(i.act, Act::Rest(_))));
         let way = if rested { "preparation" } else { "transition" };
@@ -69,7 +72,20 @@ fn prefix(side: Side) -> &'static str {
     }
 }
 
-fn of_sign(prepared: &Prepared, label: &str, timeline: &Timeline, tiers: &mut Tiers) {
+/// One gloss over all phases of a sign, for each hand that acts in some of them.
+fn gloss(sign: &Prepared, label: &str, prepared: &[Prepared], schedule: &Schedule, tiers: &mut Tiers) {
+    let times = schedule.items.get(sign.group.clone()).unwrap_or_default();
+    let ([first, .., last] | [first @ last]) = times else { return };
+    for hand in Hand::BOTH {
+        let side = side_of(hand);
+        let own = |p: &&Prepared| sign.group.contains(&p.item) && p.hands.iter().any(|h| h.side == side);
+        if prepared.iter().any(|p| own(&p)) {
+            tiers.of(&format!("{} Gloss", prefix(side))).push(first.stroke, last.hold_end, label, STATED);
+        }
+    }
+}
+
+fn of_sign(prepared: &Prepared, timeline: &Timeline, tiers: &mut Tiers) {
     let sign = prepared.sign;
     for hand in Hand::BOTH {
         let side = side_of(hand);
@@ -83,8 +99,6 @@ fn of_sign(prepared: &Prepared, label: &str, timeline: &Timeline, tiers: &mut Ti
             Hand::Weak => &sign.weak,
         };
         let source = |own: bool| if own { STATED } else { FOLLOWS };
-        let gloss = tiers.of(&format!("{prefix} Gloss"));
-        gloss.push(Seconds(timeline.stroke), Seconds(timeline.hold_end), label, STATED);
         let tier = tiers.of(&format!("{prefix} Configuration"));
         keyed(tier, &said.configuration, timeline, configuration_label, source(!own.configuration.is_empty()));
         let tier = tiers.of(&format!("{prefix} Placement"));
@@ -97,8 +111,10 @@ fn of_sign(prepared: &Prepared, label: &str, timeline: &Timeline, tiers: &mut Ti
         }
     }
     keyed(tiers.of("Contact"), &sign.contact, timeline, contact_label, STATED);
+    // What the face does holds over all phases.
+    let whole = Timeline { hold_end: timeline.sign_end, ..timeline.clone() };
     for (channel, values) in &sign.nonmanual {
-        keyed(tiers.of(&channel.title()), values, timeline, non_manual_label, STATED);
+        keyed(tiers.of(&channel.title()), values, &whole, non_manual_label, STATED);
     }
 }
 

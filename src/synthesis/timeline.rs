@@ -14,6 +14,8 @@ pub struct Timeline {
     pub keys: Vec<f64>,
     /// The hold at the end of the stroke ends; the sign ends.
     pub hold_end: f64,
+    /// The whole sign ends: of a sign's first phase, the end of its last one.
+    pub sign_end: f64,
 }
 
 impl Timeline {
@@ -28,7 +30,7 @@ impl Timeline {
             let share = if whole > 0.0 { done / whole } else { 1.0 };
             keys.push(stroke + (stroke_end - stroke) * share);
         }
-        Timeline { start, stroke, keys, hold_end: times.hold_end.0 }
+        Timeline { start, stroke, keys, hold_end: times.hold_end.0, sign_end: times.hold_end.0 }
     }
 
     /// The description's own time at an instant: 0 at the stroke's start, `natural` at its end.

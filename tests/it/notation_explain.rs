@@ -25,8 +25,8 @@ proptest! {
         }
         // The same tiers in both.
         let tiers = |said: &str, of: [&str; 2]| of.map(|of| said.matches(of).count());
-        let counted = tiers(&english, ["\n  strong hand ", "\n  weak hand "]);
-        prop_assert_eq!(counted, tiers(&french, ["\n  la main dominante, ", "\n  la main dominée, "]));
+        let counted = tiers(&english, ["  strong hand ", "  weak hand "]);
+        prop_assert_eq!(counted, tiers(&french, ["  la main dominante, ", "  la main dominée, "]));
     }
 }
 
@@ -94,6 +94,69 @@ fn french_articles_contract() {
         "flat, l'index et le majeur recourbés"
     );
     assert_eq!(line("brows raised slight", "sourcils"), "« raised », légèrement");
+}
+
+/// A sign that says nearly everything.
+fn much() -> Sign {
+    sign(
+        "sign DEUX\n hands both\n strong configuration between ( flat, thumb out ) and 5, index hooked\n weak configuration 1, on pinky\n \
+         strong placement between right shoulders and chest, 5cm away, with index tip to index midjoint\n \
+         strong orientation fingers up-out, palm left\n \
+         movement ( right 5cm, becoming ( configuration 5 and orientation palm up ) then up 5cm zigzag small across out growing ) repeated 2 moving right small, alternating\n \
+         contact strong hand touches weak palm\n head ( nod 60% while tilted-left ) speed 1.5\n mouth ( open then mouthing \"ba\" )\n\
+         then other hand stays\n configuration C, tight then C, thumb touching pad, index joints 4 1 0\n \
+         movement arc left to chin, touch, bouncing, speed 1.2, named \"A\"\n duration 0.6s\n",
+    )
+}
+
+/// The lines of an explanation without what they come from.
+fn lines(said: &str) -> Vec<String> {
+    let said = said.lines().map(|l| l.rsplit_once(" (").map_or(l, |(said, _)| said).to_owned());
+    said.collect()
+}
+
+#[test]
+fn every_kind_of_value_in_english() {
+    let said = lines(&explain_in(&much(), None, Tongue::English));
+    for line in [
+        "  phase 1:",
+        "    strong hand configuration: halfway between (flat, the thumb out) and 5, the index finger hooked",
+        "    strong hand placement: 5 cm from the point halfway between the shoulders (on the right side) and the chest, with the \
+         point halfway from the tip of the index finger to the middle joint of the index finger",
+        "    strong hand orientation: fingers pointing up and forward, palm facing left",
+        "    strong hand movement: (a straight path of 5 cm to the right, the hand becoming meanwhile 5, palm facing up, then a \
+         straight path of 5 cm up, in small zigzags that swing forward, larger each time), the whole twice in all, each time from \
+         the start, moving a little to the right meanwhile, the hands taking turns",
+        "    weak hand configuration: 1, made with the little finger",
+        "    contact: the strong hand touches the palm of the weak hand",
+        "  then, phase 2, a hand that does not act staying where it was:",
+        "    strong hand configuration: C, nearly closed, then C, the thumb touching the fingers at the pad, the index finger bent by \
+         4, 1 and 0 quarters at knuckle, middle and last joint",
+        "    strong hand movement: an arc to the left, bending up, ending touching the chin, bouncing back a little at its end, \
+         1.2 times as fast, to a place that is named “A”",
+        "    duration: 0.6 s",
+        "  head: (nod, at 60 % and at the same time tilted-left), 1.5 times as fast",
+        "  mouth: (open, then mouthing “ba”)",
+    ] {
+        assert!(said.iter().any(|l| l == line), "{line}\nin\n{}", said.join("\n"));
+    }
+}
+
+#[test]
+fn every_kind_of_value_in_french() {
+    let said = lines(&french(&much()));
+    for line in [
+        "    la main dominante, configuration : à mi-chemin entre (flat, le pouce écarté) et 5, l'index recourbé",
+        "    la main dominée, configuration : 1, formée par l'auriculaire",
+        "    la main dominante, emplacement : à 5 cm du milieu entre la ligne des épaules (du côté droit) et la poitrine, avec le \
+         point à mi-chemin entre le bout de l'index et l'articulation du milieu de l'index",
+        "    le contact : la main dominante touche la paume de la main dominée",
+        "  puis la phase 2, une main inactive restant où elle était :",
+        "    la durée : 0,6 s",
+        "  la tête : (« nod », à 60 % et en même temps « tilted-left »), 1,5 fois plus vite",
+    ] {
+        assert!(said.iter().any(|l| l == line), "{line}\nin\n{}", said.join("\n"));
+    }
 }
 
 #[test]

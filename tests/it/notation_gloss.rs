@@ -112,8 +112,15 @@ fn nonmanual() -> impl Strategy<Value = NonManual> {
         name().prop_map(move |n| NonManualWhat::At(Box::new(at(n)))),
         ".{0,5}".prop_map(NonManualWhat::Mouthing),
     ];
-    let amount = select(vec![Amount::Slight, Amount::Plain, Amount::Strong]);
-    (what, amount).prop_map(|(what, amount)| NonManual { what, amount })
+    let amount = || select(vec![Amount::Slight, Amount::Plain, Amount::Strong, Amount::Percent(60)]);
+    let pace = || proptest::option::of(0.05f64..20.0);
+    let leaf = (what, amount(), pace()).prop_map(|(what, amount, pace)| NonManual { what, amount, pace });
+    leaf.prop_recursive(2, 6, 3, move |inner| {
+        let parts = vec(inner, 2..4);
+        let group =
+            prop_oneof![parts.clone().prop_map(NonManualWhat::Sequence), parts.prop_map(NonManualWhat::Together)];
+        (group, amount(), pace()).prop_map(|(what, amount, pace)| NonManual { what, amount, pace })
+    })
 }
 
 fn item(depth: u32) -> BoxedStrategy<What> {

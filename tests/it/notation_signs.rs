@@ -78,6 +78,11 @@ fn configurations() {
     same("configuration flat, bent");
     same("configuration 5, index middle half-bent, fingers round, together");
     same("configuration LSF S");
+    same("configuration between ( flat, thumb out ) and ( 5, round ), index hooked");
+    same("configuration between ( A, bent ) and B, tight then C, slack");
+    same("configuration 1, on ring pinky, except index, thumb enclosed, joints 4 1 0, index middle joints 0 0 4");
+    same("configuration flat, index touching middle nail, thumb touching pad at middle; movement up then down");
+    check("configuration 1, thumb touching index tip", "configuration 1, thumb touching index tip");
     check("configuration \"then\"", "configuration \"then\"");
 }
 
@@ -97,6 +102,27 @@ fn placements() {
     same("placement referent \"A\", extended");
     check("placement chest, arm extended", "placement chest, extended");
     check("placement the left ear", "placement ear left");
+    same("placement between right shoulders and beside left chest, 5cm away");
+    check("placement between the right ear and chin left", "placement left between right ear and chin");
+    same("placement chin, touch, with index tip to index midjoint");
+    same("movement up to chin, with index middle tip to palm, brushing other index tip, to and fro 2");
+}
+
+#[test]
+fn phases() {
+    same(
+        "hands both mirrored; movement up; brows raised; then other hand stays; configuration 5; duration 0.5s; then; hands weak; speed 2",
+    );
+    let two = sign("language lsf\nsign A\n configuration L\n movement up\nthen\n configuration S then F\n");
+    assert_eq!(two.phases().map(|p| p.intervals).collect::<Vec<_>>(), [1, 1]);
+    assert_eq!((two.then[0].name.as_str(), two.then[0].language.as_str()), ("", ""));
+    assert_eq!(
+        write(&two),
+        "language lsf\n\nsign A\n  configuration  L\n  movement       up\nthen\n  configuration  S then F\n"
+    );
+    // Comments stay where they are.
+    let text = "sign A\n  configuration  L\n  # before\nthen  # a phase\n  # after\n  configuration  S\n";
+    assert_eq!(chereme::notation::print(&chereme::notation::parse(text).0), text);
 }
 
 #[test]
@@ -128,7 +154,17 @@ fn movements() {
     same("movement fused ( up then left ) then hold");
     same("movement up 10cm wavy large, to and fro 2");
     same("movement ( up while left ) while out");
-    check("movement ( up then down ) continued 2", "movement ( up then down then up then down )");
+    same("movement ( up then down ) continued 2");
+    check("movement ( up then down ), repeated twice, alternating", "movement ( up then down ) repeated 2 alternating");
+    same("movement ( up ) to and fro 2 then fused ( up then left )");
+    check("movement up to and fro 1", "movement up, to and fro once");
+    same("movement right 5cm, repeated 3 growing moving down small");
+    same("movement arc left bulging between up and out");
+    same("movement circle axis between up and out radius 5cm from 3 growing wavy small across up shrinking 2");
+    same("movement left 20cm zigzag small across up growing");
+    check("movement up fast bouncing speed 1.2", "movement up, fast, bouncing, speed 1.2");
+    same("movement change, toward-pinky, becoming ( configuration 5, spread and orientation palm up )");
+    same("movement up 10cm, becoming ( orientation fingers up, palm out ), named \"A\" then to referent \"A\"");
     check("movement ( up )", "movement up");
 }
 
@@ -142,11 +178,16 @@ fn hands_and_contact() {
     );
     same("hands both mirrored; configuration 1; weak configuration flat; movement up; weak movement hold");
     same("hands both; contact strong radial index side crosses weak dorsal lower-arm");
+    same("hands both; contact strong hand touches weak index tip to index midjoint");
 }
 
 #[test]
 fn nonmanuals_and_the_rest() {
     same("movement up; head nod slight then shake; torso forward; gaze towards up-left; brows raised strong");
+    check("movement up; head nod 50% then shake 100%", "movement up; head nod slight then shake");
+    same("movement up; head ( nod 60% while tilted-left ) speed 1.5; gaze at chest, 60% speed 2");
+    same("movement up; cheeks ( puffed then ( neutral while sucked-in ) ) strong");
+    check("movement up; head ( nod )", "movement up; head nod");
     same("movement up; gaze at other palm, slight; mouth mouthing \"bOl\"");
     same("source \"D. Bouchauveau, \\\"Lexique\\\"\"; status unverified; note \"a note\"; duration 0.9s");
 }

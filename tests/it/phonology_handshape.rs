@@ -31,9 +31,9 @@ fn row_with(from: &str, to: &str) -> String {
 }
 
 #[test]
-fn the_inventory_has_75_handshapes_within_limits() {
+fn the_inventory_has_105_handshapes_within_limits() {
     let inventory = HandshapeInventory::builtin();
-    assert_eq!(inventory.shapes().len(), 75);
+    assert_eq!(inventory.shapes().len(), 105);
     for shape in inventory.shapes() {
         assert!(HandLimits::ANATOMICAL.hold(&shape.angles()), "{}", shape.id);
         let discomfort = HandLimits::ANATOMICAL.discomfort(&shape.table).to_degrees();
@@ -127,7 +127,7 @@ fn a_sound_row_loads_and_overrides() {
     assert_eq!(faults(&row_with("", "")), []);
     let text = row_with("paddle", "B").replace("XY P", "XY B");
     let inventory = HandshapeInventory::builtin().overridden(&Source::new("mine.ron", text)).expect("a sound row");
-    assert_eq!(inventory.shapes().len(), 75);
+    assert_eq!(inventory.shapes().len(), 105);
     let shape = inventory.find("B", None).expect("the new row");
     assert_eq!(shape.aliases, ["XY B"]);
 }

@@ -38,8 +38,12 @@ proptest! {
         prop_assert_eq!(&twice(&plain), &plain);
         let path = inverted_movement(&inverted_movement(&inverted_movement(&sign)));
         prop_assert_eq!(&inverted_movement(&inverted_movement(&path)), &path);
-        prop_assert_eq!(&back.nonmanual, &sign.nonmanual);
-        prop_assert_eq!(back.intervals, sign.intervals);
+        if sign.then.is_empty() {
+            prop_assert_eq!(&back.nonmanual, &sign.nonmanual);
+        }
+        let there: Vec<usize> = sign.phases().map(|phase| phase.intervals).collect();
+        let here: Vec<usize> = back.phases().map(|phase| phase.intervals).rev().collect();
+        prop_assert_eq!(here, there);
         reads_back(&back)?;
     }
 
@@ -52,7 +56,7 @@ proptest! {
         prop_assert_eq!(&reflected(&reflected(&image)), &image);
         let left = for_left_hander(&sign);
         prop_assert_eq!(&for_left_hander(&for_left_hander(&left)), &left);
-        if !matches!(sign.hands, Hands::Both(_)) {
+        if sign.phases().all(|phase| !matches!(phase.hands, Hands::Both(_))) {
             prop_assert_eq!(&swapped(&once), &sign);
         }
         reads_back(&once)?;
@@ -61,7 +65,7 @@ proptest! {
     #[test]
     fn mirrored_twice_is_mirrored_once(sign in sign(Words::known())) {
         if let Ok(once) = mirrored(&sign, &tables()) {
-            prop_assert_eq!(once.sign.hands, Hands::Both(Some(Symmetry::MIRRORED)));
+            prop_assert!(once.sign.phases().all(|phase| phase.hands == Hands::Both(Some(Symmetry::MIRRORED))));
             prop_assert_eq!(mirrored(&once.sign, &tables()).unwrap().sign, once.sign.clone());
             reads_back(&once.sign)?;
         }
@@ -72,20 +76,112 @@ proptest! {
         let sign = Sign { duration: None, ..sign };
         prop_assert_eq!(&repeated(&sign, 1, None, 0, &tables()).unwrap(), &sign);
         let made = repeated(&sign, times, Some(Seconds(0.3)), 0, &tables()).unwrap();
-        prop_assert_eq!(made.intervals, usize::from(times) * (sign.intervals + 1) - 1);
+        if sign.then.is_empty() {
+            prop_assert_eq!(made.intervals, usize::from(times) * (sign.intervals + 1) - 1);
+        } else {
+            prop_assert_eq!(made.phases().count(), usize::from(times) * sign.phases().count());
+        }
         reads_back(&made)?;
     }
 
     #[test]
     fn replacing_by_itself_and_scaling_by_one_change_nothing(sign in sign(Words::known())) {
         let sign = Sign { base: Vec::new(), ..sign };
-        if matches!(sign.hands, Hands::Strong) && sign.strong.configuration.len() == 1 {
+        let becomes = |a: &Action| a.becoming.is_some();
+        let changes = sign.strong.movement.iter().any(|m| m.any_action(&becomes));
+        let whole = matches!(sign.hands, Hands::Strong) && sign.then.is_empty() && !changes;
+        if whole && sign.strong.configuration.len() == 1 {
             let same = Operator::Configuration(None, sign.strong.configuration.clone());
             prop_assert_eq!(&apply(&same, &sign, &tables()).unwrap().sign, &sign);
         }
         prop_assert_eq!(&applied(Operator::Size(1.0), &sign).sign, &sign);
         prop_assert_eq!(&applied(Operator::Speed(1.0), &sign).sign, &sign);
     }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 100, failure_persistence: None, ..ProptestConfig::default() })]
+
+    #[test]
+    fn every_operator_keeps_what_can_be_written(sign in sign(Words::known()), other in sign(Words::known())) {
+        let space = Place::Space(Space::default());
+        let operators = [
+            Operator::Size(0.5),
+            Operator::Configuration(None, Keys::one(Configuration::named("U"))),
+            Operator::Placement(None, Keys::one(Placement::at(Place::Body("chest".into())))),
+            Operator::At(Relocation { place: space, forced: Forced::Yes }),
+        ];
+        for operator in operators {
+            let made = apply(&operator, &sign, &tables()).map_err(|e| TestCaseError::fail(e.to_string()))?;
+            reads_back(&made.sign)?;
+        }
+        reads_back(&inverted_movement(&sign))?;
+        let compound = chain(&[sign.clone(), other.clone()], "AB").map_err(|e| TestCaseError::fail(e.to_string()))?;
+        prop_assert!(compound.then.is_empty());
+        reads_back(&compound)?;
+        if let Ok(both) = on_each_hand(&sign, &other) {
+            reads_back(&both)?;
+        }
+    }
+}
+
+/// A sign of two phases: both hands, then one, the other staying.
+fn two_phases() -> Sign {
+    one(
+        "sign A\n  meaning en \"a\"\n  hands both mirrored\n  configuration flat\n  placement chest, 20cm away\n  movement up 10cm\n  brows raised\n\
+         then other hand stays\n  configuration 5 then fist-s\n  placement chin, 10cm away\n  duration 0.8s\n",
+    )
+}
+
+#[test]
+fn phases_come_back_in_reverse_order() {
+    let back = inverted(&two_phases());
+    let text = write(&back);
+    let shapes: Vec<&str> =
+        back.phases().flat_map(|p| p.strong.configuration.iter()).map(|(_, c)| c.base.as_str()).collect();
+    assert_eq!(shapes, ["fist-s", "5", "flat"], "{text}");
+    assert_eq!((back.hands, back.then[0].hands), (Hands::Strong, Hands::Both(Some(Symmetry::MIRRORED))));
+    // What is said of the whole sign stays in front; a phase that comes there has no time of its own.
+    assert_eq!((back.duration, back.then[0].duration, back.then[0].holds_over), (None, None, true));
+    assert_eq!((back.meaning.len(), back.nonmanual.len()), (1, 1));
+    assert!(text.contains("then other hand stays") && text.contains("down 10cm"), "{text}");
+}
+
+#[test]
+fn a_value_of_an_operator_is_that_of_all_phases() {
+    let sign = two_phases();
+    let with = |shapes: &[&str]| {
+        let keys = shapes.iter().enumerate().map(|(key, name)| (key, Configuration::named(*name)));
+        apply(&Operator::Configuration(None, Keys::new(keys.collect()).unwrap()), &sign, &tables())
+    };
+    assert!(with(&["U"]).unwrap().sign.phases().all(|p| p.strong.configuration.at(0).unwrap().base == "U"));
+    let four = with(&["U", "V", "L", "Y"]).unwrap().sign;
+    assert_eq!(four.then[0].strong.configuration.at(1).unwrap().base, "Y");
+    let error = with(&["U", "V"]).unwrap_err().to_string();
+    assert!(error.contains("4 keys in its phases"), "{error}");
+    // The weak hand acts in the first phase only.
+    let chest = Keys::one(Placement::at(Place::Body("chest".into())));
+    let weak = applied(Operator::Placement(Some(Hand::Weak), chest), &sign).sign;
+    assert!(!weak.weak.placement.is_empty() && weak.then == sign.then);
+    // One after the other as one: a change between.
+    let flat = chain(std::slice::from_ref(&sign), "A").unwrap();
+    assert_eq!((flat.intervals, flat.then.len()), (3, 0));
+    let twice = repeated(&sign, 2, None, 1, &tables()).unwrap();
+    assert_eq!((twice.phases().count(), twice.then[1].holds_over), (4, false));
+    assert!(write(&twice).contains("up 13cm"), "{}", write(&twice));
+}
+
+#[test]
+fn what_a_hand_becomes_is_said_at_keys_when_it_runs_backwards() {
+    let sign =
+        one("sign A\n  configuration flat\n  placement chest\n  movement up 10cm, becoming ( configuration 5 )\n");
+    let text = write(&inverted(&sign));
+    assert!(text.contains("5 then flat") && text.contains("movement       down 10cm\n"), "{text}");
+    let group = one("sign A\n  configuration flat\n  movement ( up then left ) to and fro once moving right\n");
+    let text = write(&inverted(&group));
+    assert!(text.contains("( up then left ) to and fro once moving left"), "{text}");
+    let replaced = applied(Operator::Configuration(None, Keys::one(Configuration::named("U"))), &sign).sign;
+    assert!(!write(&replaced).contains("becoming"), "{}", write(&replaced));
 }
 
 #[test]

@@ -36,7 +36,7 @@ impl Words {
     pub fn any() -> Words {
         let hard = [
             "then", "at", "between", "a  b", "", "left", "#", "LSF S", "\"", "É è", "to", "strong", "(x)", "12cm",
-            "“x”",
+            "“x”", "60%", "while", "speed", "beside", "named",
         ];
         let add = |names: Vec<String>| names.into_iter().take(20).chain(hard.map(str::to_owned)).collect::<Vec<_>>();
         let known = Words::known();
@@ -69,8 +69,15 @@ fn digits() -> impl Strategy<Value = Digits> {
     vec(select(Digit::ALL.to_vec()), 0..5).prop_map(Digits::of)
 }
 
-/// A point of a hand or an arm.
+/// A point of a hand or an arm, or halfway between two.
 pub fn hand_point() -> impl Strategy<Value = HandPoint> {
+    (spot(), proptest::option::weighted(0.2, spot())).prop_map(|(first, second)| match second {
+        Some(second) => first.halfway(second),
+        None => first,
+    })
+}
+
+fn spot() -> impl Strategy<Value = HandPoint> {
     let flank = || of(select(Flank::ALL.to_vec()));
     let on_digit = (digits(), select(HandPart::OF_A_DIGIT.to_vec()), flank());
     let on_limb =
@@ -78,22 +85,40 @@ pub fn hand_point() -> impl Strategy<Value = HandPoint> {
     prop_oneof![on_digit, on_limb].prop_filter_map("a finger", |(d, part, flank)| HandPoint::new(d, part, flank))
 }
 
-/// A handshape with changes.
-pub fn configuration(words: &Words) -> impl Strategy<Value = Configuration> + use<> {
+fn some_digits() -> impl Strategy<Value = Digits> {
+    vec(select(Digit::ALL.to_vec()), 1..5).prop_map(Digits::of)
+}
+
+fn change() -> impl Strategy<Value = HandshapeChange> {
     let two = (select(Digit::ALL.to_vec()), select(Digit::ALL.to_vec()));
-    let change = prop_oneof![
+    let apart = two.clone().prop_filter("two", |(a, b)| a != b);
+    let part = || select(HandPart::OF_A_DIGIT.to_vec());
+    prop_oneof![
         select(ThumbPosition::ALL.to_vec()).prop_map(HandshapeChange::Thumb),
         (digits(), select(Bend::ALL.to_vec())).prop_map(|(d, b)| HandshapeChange::Bend(d, b)),
         any::<bool>().prop_map(HandshapeChange::Spread),
-        two.clone().prop_filter("two", |(a, b)| a != b).prop_map(|(a, b)| HandshapeChange::Cross(a, b)),
+        apart.clone().prop_map(|(a, b)| HandshapeChange::Cross(a, b)),
         two.prop_map(|(a, b)| HandshapeChange::ThumbBetween(a, b)),
-    ];
+        some_digits().prop_map(HandshapeChange::On),
+        some_digits().prop_map(HandshapeChange::Except),
+        select(Opening::ALL.to_vec()).prop_map(HandshapeChange::Opening),
+        (apart, part()).prop_map(|((a, b), part)| HandshapeChange::Meet(a, part, b)),
+        part().prop_map(HandshapeChange::ThumbAt),
+        (digits(), [0u8..=4, 0u8..=4, 0u8..=4]).prop_map(|(d, bends)| HandshapeChange::Joints(d, bends)),
+    ]
+}
+
+/// A handshape with changes.
+pub fn configuration(words: &Words) -> impl Strategy<Value = Configuration> + use<> {
     let names = select(words.handshapes.clone());
-    (names.clone(), of(names), vec(change, 0..3)).prop_map(|(base, between, changes)| Configuration {
-        base,
-        between: between.map(|second| Box::new(Between { first: Vec::new(), second, changes: Vec::new() })),
-        changes,
-    })
+    let changes = || vec(change(), 0..3);
+    let between = (names.clone(), changes(), changes())
+        .prop_map(|(second, first, changes)| Box::new(Between { first, second, changes }));
+    (names, of(between), changes()).prop_map(|(base, between, changes)| Configuration { base, between, changes })
+}
+
+fn lateral() -> impl Strategy<Value = Lateral> {
+    (select(vec![Side::Left, Side::Right]), any::<bool>()).prop_map(|(side, beside)| Lateral { side, beside })
 }
 
 fn place(words: &Words) -> impl Strategy<Value = Place> + use<> {
@@ -107,7 +132,10 @@ fn place(words: &Words) -> impl Strategy<Value = Place> + use<> {
     ];
     leaf.prop_recursive(3, 8, 2, |inner| {
         prop_oneof![
-            2 => (inner.clone(), inner.clone()).prop_map(|(a, b)| Place::Between(Box::new(a.into()), Box::new(b.into()))),
+            2 => ((inner.clone(), of(lateral())), (inner.clone(), of(lateral()))).prop_map(|(a, b)| {
+                let sited = |(place, lateral)| Box::new(Sited { place, lateral });
+                Place::Between(sited(a), sited(b))
+            }),
             1 => inner.prop_map(|at| Place::Towards(Box::new(at))),
         ]
     })
@@ -115,7 +143,6 @@ fn place(words: &Words) -> impl Strategy<Value = Place> + use<> {
 
 /// A placement.
 pub fn placement(words: &Words) -> impl Strategy<Value = Placement> + use<> {
-    let lateral = (select(vec![Side::Left, Side::Right]), any::<bool>());
     let distance = prop_oneof![
         Just(Distance::Unmarked),
         Just(Distance::Touch),
@@ -125,15 +152,8 @@ pub fn placement(words: &Words) -> impl Strategy<Value = Placement> + use<> {
         (0.0f64..3.0).prop_map(Distance::Metres),
         metres().prop_map(Distance::Metres),
     ];
-    (place(words), of(lateral), distance, any::<bool>(), of(hand_point()), of((direction(), metres()))).prop_map(
-        |(place, lateral, distance, behind, with, offset)| Placement {
-            place,
-            lateral: lateral.map(|(side, beside)| Lateral { side, beside }),
-            distance,
-            behind,
-            with,
-            offset,
-        },
+    (place(words), of(lateral()), distance, any::<bool>(), of(hand_point()), of((direction(), metres()))).prop_map(
+        |(place, lateral, distance, behind, with, offset)| Placement { place, lateral, distance, behind, with, offset },
     )
 }
 
@@ -153,7 +173,9 @@ fn extent() -> impl Strategy<Value = Extent> {
 }
 
 fn overlay() -> impl Strategy<Value = Option<Overlay>> {
-    of((any::<bool>(), size()).prop_map(|(zigzag, size)| Overlay::new(zigzag, size)))
+    let overlay = (any::<bool>(), size(), of(direction()), -9i8..=9)
+        .prop_map(|(zigzag, size, across, growth)| Overlay { zigzag, size, across, growth });
+    of(overlay)
 }
 
 fn across(a: glam::DVec3, b: glam::DVec3) -> bool {
@@ -161,26 +183,26 @@ fn across(a: glam::DVec3, b: glam::DVec3) -> bool {
 }
 
 fn motion(interval: usize) -> impl Strategy<Value = Motion> {
-    let arc = (heading(), extent(), direction(), size(), overlay())
+    let arc = (heading(), extent(), heading(), size(), overlay())
         .prop_filter("a bulge", |(d, _, b, ..)| across(d.vector(), b.vector()))
         .prop_map(|(direction, extent, bulge, depth, overlay)| Motion::Arc {
             direction,
             extent,
-            bulge: bulge.into(),
+            bulge,
             depth,
             overlay,
         });
     let ellipse = of((0.01f64..0.99, direction()));
-    let circle = (direction(), extent(), 0u8..8, 0.1f64..9.0, ellipse, -9i8..=9)
-        .prop_filter("an ellipse", |(axis, _, _, _, e, _)| e.is_none_or(|(_, d)| across(d.vector(), axis.vector())))
-        .prop_map(|(axis, extent, start, turns, ellipse, growth)| Motion::Circle {
-            axis: axis.into(),
+    let circle = (heading(), extent(), 0u8..8, 0.1f64..9.0, ellipse, -9i8..=9, overlay())
+        .prop_filter("an ellipse", |(axis, _, _, _, e, ..)| e.is_none_or(|(_, d)| across(d.vector(), axis.vector())))
+        .prop_map(|(axis, extent, start, turns, ellipse, growth, overlay)| Motion::Circle {
+            axis,
             extent,
             start: Clock::new(start).unwrap(),
             turns,
             ellipse,
             growth,
-            overlay: None,
+            overlay,
         });
     prop_oneof![
         Just(Motion::Hold),
@@ -200,17 +222,30 @@ fn motion(interval: usize) -> impl Strategy<Value = Motion> {
 
 fn repetition() -> impl Strategy<Value = Repetition> {
     let kinds = vec![RepetitionKind::FromStart, RepetitionKind::Continue, RepetitionKind::ToAndFro];
-    (select(kinds), 2u8..=50, -9i8..=9).prop_map(|(kind, times, growth)| Repetition {
-        kind,
-        times,
-        growth,
-        shift: None,
+    let shift = of((direction(), size()).prop_map(|(direction, size)| Shift { direction, size }));
+    (select(kinds), 1u8..=50, -9i8..=9, shift).prop_map(|(kind, times, growth, shift)| {
+        // There and back once; else performed at least twice.
+        let times = if kind == RepetitionKind::ToAndFro { times } else { times.max(2) };
+        Repetition { kind, times, growth, shift }
     })
+}
+
+fn becoming(words: &Words) -> impl Strategy<Value = Becoming> + use<> {
+    let orientation = orientation().prop_filter("a palm", |o| palms_can_be(&Keys::one(*o)));
+    (of(configuration(words)), of(orientation), of(contact()))
+        .prop_map(|(configuration, orientation, contact)| Becoming { configuration, orientation, contact })
+        .prop_filter("something is said", |b| !b.is_empty())
+}
+
+fn pace() -> impl Strategy<Value = f64> {
+    prop_oneof![6 => Just(1.0), 1 => 0.05f64..20.0]
 }
 
 /// A movement of one interval; ways back go to keys up to `interval`.
 fn movement(words: &Words, interval: usize) -> impl Strategy<Value = Movement> + use<> {
     let manner = proptest::sample::subsequence(Manner::ALL.to_vec(), 0..=3);
+    let posture = proptest::option::weighted(0.2, becoming(words).prop_map(Box::new));
+    let more = (pace(), posture, proptest::option::weighted(0.1, text()));
     let action = (
         motion(interval),
         of(placement(words)),
@@ -219,8 +254,10 @@ fn movement(words: &Words, interval: usize) -> impl Strategy<Value = Movement> +
         of(repetition()),
         of(0.01f64..60.0),
         any::<bool>(),
+        more,
     );
-    let leaf = action.prop_map(|(motion, target, brushing, manner, repetition, duration, alternating)| {
+    let leaf = action.prop_map(|(motion, target, brushing, manner, repetition, duration, alternating, more)| {
+        let (pace, becoming, names) = more;
         let duration = duration.map(Seconds);
         let target = target.filter(|_| !matches!(motion, Motion::Return { .. }));
         Movement::Action(Box::new(Action {
@@ -230,6 +267,9 @@ fn movement(words: &Words, interval: usize) -> impl Strategy<Value = Movement> +
             repetition,
             duration,
             alternating,
+            pace,
+            becoming,
+            names,
             ..Action::new(motion)
         }))
     });
@@ -239,7 +279,11 @@ fn movement(words: &Words, interval: usize) -> impl Strategy<Value = Movement> +
             parts.clone().prop_map(Movement::Sequence),
             parts.clone().prop_map(Movement::Together),
             parts.prop_map(Movement::Fused),
-            back.prop_map(|m| Movement::Backwards(Box::new(m))),
+            back.clone().prop_map(|m| Movement::Backwards(Box::new(m))),
+            (back, repetition(), any::<bool>()).prop_map(|(movement, repetition, alternating)| {
+                let repetition = Repetition { times: repetition.times.min(5), ..repetition };
+                Movement::Repeated(Box::new(Repeated { movement, repetition, alternating }))
+            }),
         ]
     })
 }
@@ -322,10 +366,13 @@ fn nonmanual(words: &Words, channel: Channel) -> impl Strategy<Value = NonManual
         1 => placement(words).prop_map(NonManualValue::At),
         1 => "[a-zA-Z@:\"\\\\]{0,6}".prop_map(NonManualValue::Mouthing),
     ];
-    (value, select(vec![Amount::Slight, Amount::Plain, Amount::Strong])).prop_map(|(value, amount)| NonManual {
-        value,
-        amount,
-        pace: 1.0,
+    let amount = || prop_oneof![Just(Amount::Plain), (0.01f64..3.0).prop_map(Amount::of), Just(Amount::Strong)];
+    let leaf = (value, amount(), pace()).prop_map(|(value, amount, pace)| NonManual { value, amount, pace });
+    leaf.prop_recursive(2, 6, 3, move |inner| {
+        let parts = vec(inner, 2..4);
+        let group =
+            prop_oneof![parts.clone().prop_map(NonManualValue::Sequence), parts.prop_map(NonManualValue::Together)];
+        (group, amount(), pace()).prop_map(|(value, amount, pace)| NonManual { value, amount, pace })
     })
 }
 
@@ -345,14 +392,15 @@ fn text() -> impl Strategy<Value = String> {
     prop_oneof!["[ -~é“”\t\n\\\\\"]{0,12}", any::<String>()]
 }
 
-/// A whole sign in the form that reading gives: a sign with intervals has a movement of a hand that acts.
-pub fn sign(words: Words) -> impl Strategy<Value = Sign> {
+/// What a phase says: hands, manual tiers, contact, time. A sign with intervals has a movement of a hand that acts.
+fn phase(words: &Words) -> impl Strategy<Value = Sign> + use<> {
     let hands = prop_oneof![
         Just(Hands::Strong),
         Just(Hands::Weak),
         Just(Hands::Both(None)),
         symmetry().prop_map(|s| Hands::Both(Some(s))),
     ];
+    let words = words.clone();
     (hands, 0usize..5, any::<(bool, bool)>()).prop_flat_map(move |(hands, intervals, (strong_moves, weak_moves))| {
         let (acts_strong, acts_weak) = match hands {
             Hands::Strong => (true, false),
@@ -369,47 +417,35 @@ pub fn sign(words: Words) -> impl Strategy<Value = Sign> {
             Hands::Both(_) => keys(contact(), intervals).boxed(),
             Hands::Strong | Hands::Weak => Just(Keys::default()).boxed(),
         };
-        let name = prop_oneof!["[A-ZÉÈ][A-Z0-9-]{0,8}", "[A-Z#=(]{1,3}( [a-z,]{1,4})?"];
-        let header = (
-            name,
-            prop_oneof![Just(String::new()), "[a-z]{3}"],
-            vec(("[a-z]{2}", text()), 0..3),
-            of(text()),
-            of(text()),
-            of(text()),
-            of(0.01f64..60.0),
-        );
-        let whole =
-            (prop_oneof![4 => Just(1.0), 1 => 0.05f64..20.0], vec(attested(&words), 0..3), of(relocation(&words)));
-        (header, strong, weak, contact, nonmanuals(&words, intervals), whole).prop_map(
-            move |(
-                (name, language, meaning, source, status, note, duration),
-                strong,
-                weak,
-                contact,
-                nonmanual,
-                (speed, base, relocated),
-            )| Sign {
-                name,
-                language,
-                meaning,
-                source,
-                status,
-                note,
-                hands,
-                intervals,
-                strong,
-                weak,
-                contact,
-                nonmanual,
-                duration: duration.map(Seconds),
-                speed,
-                base,
-                relocated,
-                holds_over: false,
-                then: Vec::new(),
-            },
-        )
+        (strong, weak, contact, of(0.01f64..60.0), pace()).prop_map(move |(strong, weak, contact, duration, speed)| {
+            let duration = duration.map(Seconds);
+            Sign { hands, intervals, strong, weak, contact, duration, speed, ..Sign::named("") }
+        })
+    })
+}
+
+/// A whole sign in the form that reading gives; some have several phases.
+pub fn sign(words: Words) -> impl Strategy<Value = Sign> {
+    let name = prop_oneof!["[A-ZÉÈ][A-Z0-9-]{0,8}", "[A-Z#=(]{1,3}( [a-z,]{1,4})?"];
+    let header = (
+        name,
+        prop_oneof![Just(String::new()), "[a-z]{3}"],
+        vec(("[a-z]{2}", text()), 0..3),
+        of(text()),
+        of(text()),
+        of(text()),
+        vec(attested(&words), 0..3),
+        of(relocation(&words)),
+    );
+    let later = (phase(&words), any::<bool>()).prop_map(|(phase, holds_over)| Sign { holds_over, ..phase });
+    let then = prop_oneof![3 => Just(Vec::new()), 1 => vec(later, 1..3)];
+    let first = phase(&words).prop_flat_map(move |first| {
+        let faces = nonmanuals(&words, first.intervals);
+        (Just(first), faces).prop_map(|(first, nonmanual)| Sign { nonmanual, ..first })
+    });
+    (header, first, then).prop_map(|(header, first, then)| {
+        let (name, language, meaning, source, status, note, base, relocated) = header;
+        Sign { name, language, meaning, source, status, note, base, relocated, then, ..first }
     })
 }
 

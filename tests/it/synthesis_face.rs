@@ -54,7 +54,7 @@ fn mouthing_shapes_the_mouth_sound_by_sound() {
     // b closes the lips, o rounds them, l opens them a little.
     assert!(at(1.0 / 6.0, "mouth-compression") > 0.5 && at(0.5, "mouth-compression") < 0.05);
     assert!(at(0.5, "mouth-protusion") > 0.6 && at(1.0 / 6.0, "mouth-protusion") < 0.05);
-    assert!(at(5.0 / 6.0, "mouth-part-later") > 0.3);
+    assert!(at(0.8, "tongue-up") > 0.05 && at(0.8, "mouth-open") > 0.1);
 }
 
 #[test]

@@ -60,32 +60,48 @@ fn solved_line(shape: &Handshape) -> String {
     format!("            solved: Some((fingers: ({fingers}), thumb: {thumb}, residual_mm: {mm:.1})),\n")
 }
 
-/// One line on a solved shape: residual, greatest depth of fingertips in the palm and of digits in one another.
-pub fn line(hand: &HandSkin, shape: &Handshape) -> String {
-    let angles = shape.angles();
-    let posed = hand.pose(&angles);
+/// How deep the digits of a hand lie in the palm and in one another.
+pub struct Depth {
+    /// The deepest fingertip in the palm, millimetres.
+    pub palm_mm: f64,
+    /// Whose it is.
+    pub in_palm: &'static str,
+    /// The deepest digit in another, millimetres.
+    pub digits_mm: f64,
+    /// Which in which.
+    pub digits: String,
+}
+
+/// Measures a hand's depths.
+pub fn depth(hand: &HandSkin, angles: &HandAngles) -> Depth {
+    let posed = hand.pose(angles);
     let of = |test: &dyn Fn(HandBone) -> bool| {
         (0..hand.bones().len()).filter(|v| test(hand.bones()[*v])).collect::<Vec<_>>()
     };
     let palm = of(&|b| b == HandBone::Palm);
-    let tips = of(&|b| matches!(b, HandBone::Phalanx(_, 2)));
-    let mut worst = (0.0, String::new());
+    let mut depth = Depth { palm_mm: 0.0, in_palm: "", digits_mm: 0.0, digits: String::new() };
     for a in Digit::ALL {
+        let in_palm = posed.deepest_mm(&of(&|b| b == HandBone::Phalanx(a, 2)), &palm);
+        if in_palm > depth.palm_mm {
+            (depth.palm_mm, depth.in_palm) = (in_palm, a.name());
+        }
         let own = of(&|b| matches!(b, HandBone::Phalanx(d, k) if d == a && k >= 1));
         for b in Digit::ALL.into_iter().filter(|b| *b != a) {
             let other =
                 of(&|bone| matches!(bone, HandBone::Phalanx(d, k) if d == b && k >= usize::from(b == Digit::Thumb)));
-            let depth = posed.deepest_mm(&own, &other);
-            if depth > worst.0 {
-                worst = (depth, format!("{}>{}", a.name(), b.name()));
+            let mm = posed.deepest_mm(&own, &other);
+            if mm > depth.digits_mm {
+                (depth.digits_mm, depth.digits) = (mm, format!("{}>{}", a.name(), b.name()));
             }
         }
     }
-    let deepest = tips.iter().max_by(|a, b| posed.depth_mm(**a, &palm).total_cmp(&posed.depth_mm(**b, &palm)));
-    let entering = match deepest.map(|v| hand.bones()[*v]) {
-        Some(HandBone::Phalanx(digit, _)) if posed.deepest_mm(&tips, &palm) > 0.0 => digit.name(),
-        _ => "",
-    };
+    depth
+}
+
+/// One line on a solved shape: residual, greatest depth of fingertips in the palm and of digits in one another.
+pub fn line(hand: &HandSkin, shape: &Handshape) -> String {
+    let angles = shape.angles();
+    let depth = depth(hand, &angles);
     let table = shape.table.to_array();
     let moved = angles.to_array()[..16].iter().zip(table).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
     let kind = match shape.thumb {
@@ -96,25 +112,26 @@ pub fn line(hand: &HandSkin, shape: &Handshape) -> String {
     let t = angles.thumb;
     let thumb = [t.radial, t.palmar, t.pronation, t.mcp, t.ip].map(|a| a.to_degrees().round());
     format!(
-        "{:18} {kind:5} {:5.1} mm  in palm {:4.1} {entering:6} in one another {:4.1} {:13} from table {:4.1}°  thumb {thumb:?}",
+        "{:18} {kind:5} {:5.1} mm  in palm {:4.1} {:6} in one another {:4.1} {:13} from table {:4.1}°  thumb {thumb:?}",
         shape.id,
-        posed.residual_mm(&shape.thumb),
-        posed.deepest_mm(&tips, &palm),
-        worst.0,
-        worst.1,
+        hand.pose(&angles).residual_mm(&shape.thumb),
+        depth.palm_mm,
+        depth.in_palm,
+        depth.digits_mm,
+        depth.digits,
         moved.to_degrees()
     )
 }
 
 /// The right hand's finger joints of every shape, as quaternions x, y, z, w, in JSON.
-pub fn rotations(skeleton: &Skeleton, shapes: &[Handshape]) -> Result<String, Error> {
+pub fn rotations(skeleton: &Skeleton, hands: &[(String, HandAngles)]) -> Result<String, Error> {
     let rig = HandRig::new(skeleton, Side::Right)?;
     let mut out = String::from("[");
-    for (i, shape) in shapes.iter().enumerate() {
+    for (i, (name, angles)) in hands.iter().enumerate() {
         let mut pose = LocalPose::rest(skeleton);
-        rig.apply(&shape.angles(), &mut pose);
+        rig.apply(angles, &mut pose);
         let comma = if i == 0 { "" } else { "," };
-        let _ = write!(out, "{comma}\n{{\"id\":\"{}\",\"joints\":{{", shape.id);
+        let _ = write!(out, "{comma}\n{{\"id\":\"{name}\",\"joints\":{{");
         for (k, joint) in rig.joints().into_iter().enumerate() {
             let q = pose.rotation(joint);
             let comma = if k == 0 { "" } else { "," };

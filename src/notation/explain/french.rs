@@ -3,41 +3,50 @@
 //! Names of handshapes and of non-manual values are those of the inventories, as they are written in a sign.
 
 use super::french_movement::movement;
-use super::french_noun::{digit, fingers, grows, heading, length, number, of, place, placement, point, to};
+use super::french_noun::{digit, fingers, grows, heading, length, number, of, part, place, placement, point, to};
+use super::{Tier, keys};
 use crate::phonology::operator::Operator;
 use crate::phonology::recombination::{Base, Recombination};
 use crate::phonology::{
-    Amount, Bend, Channel, Configuration, Contact, ContactKind, HandPoint, HandshapeChange, Keys, LocationInventory,
-    Manual, NonManual, NonManualValue, Opening, Orientation, Place, Sign, ThumbPosition,
+    Amount, Becoming, Bend, Channel, Configuration, Contact, ContactKind, Digits, HandPoint, HandshapeChange, Keys,
+    LocationInventory, Manual, NonManual, NonManualValue, Opening, Orientation, Place, Sign, ThumbPosition,
 };
 
-/// One manual tier by its number in the tables: configuration, placement, orientation, movement.
-pub(super) fn tier(manual: &Manual, intervals: usize, number: usize, names: &LocationInventory) -> String {
-    match number {
-        0 => keys(&manual.configuration, intervals, configuration),
-        1 => keys(&manual.placement, intervals, |p| placement(p, names)),
-        2 => keys(&manual.orientation, intervals, orientation),
-        _ => {
-            let all: Vec<String> = manual.movement.iter().map(|m| movement(m, names)).collect();
-            all.join(", puis ")
-        }
+/// One manual tier.
+pub(super) fn tier(manual: &Manual, intervals: usize, tier: Tier, names: &LocationInventory) -> String {
+    match tier {
+        Tier::Configuration => keys(&manual.configuration, intervals, JOIN, configuration),
+        Tier::Placement => keys(&manual.placement, intervals, JOIN, |p| placement(p, names)),
+        Tier::Orientation => keys(&manual.orientation, intervals, JOIN, orientation),
+        Tier::Movement => manual.movement.iter().map(|m| movement(m, names)).collect::<Vec<_>>().join(JOIN[0]),
     }
 }
 
-/// The tiers of the whole sign: label and words.
-pub(super) fn whole(sign: &Sign, names: &LocationInventory) -> Vec<(&'static str, String)> {
+/// Between values, and before the number of a key.
+const JOIN: [&str; 2] = [", puis ", "posture"];
+
+/// How the hands meet.
+pub(super) fn contacts(sign: &Sign) -> String {
+    keys(&sign.contact, sign.intervals, JOIN, contact)
+}
+
+/// Duration and speed, where they are stated: label and words.
+pub(super) fn times(sign: &Sign) -> Vec<(&'static str, String)> {
     let mut all = Vec::new();
-    if !sign.contact.is_empty() {
-        all.push(("le contact", keys(&sign.contact, sign.intervals, contact)));
-    }
-    for (channel, values) in &sign.nonmanual {
-        all.push((channel_name(*channel), keys(values, sign.intervals, |v| nonmanual(v, names))));
-    }
     if let Some(long) = sign.duration {
         all.push(("la durée", format!("{} s", number(long.0))));
     }
     if sign.speed != 1.0 {
         all.push(("la vitesse", format!("{} fois la vitesse habituelle", number(sign.speed))));
+    }
+    all
+}
+
+/// The tiers of the whole sign: label and words.
+pub(super) fn whole(sign: &Sign, names: &LocationInventory) -> Vec<(&'static str, String)> {
+    let mut all = Vec::new();
+    for (channel, values) in &sign.nonmanual {
+        all.push((channel_name(*channel), keys(values, sign.intervals, JOIN, |v| nonmanual(v, names))));
     }
     if !sign.base.is_empty() {
         let attested = sign.base.iter().map(|a| configuration(&a.configuration)).collect::<Vec<_>>();
@@ -105,50 +114,54 @@ fn joined<T>(values: &Keys<T>, say: impl Fn(&T) -> String) -> String {
     values.iter().map(|(_, v)| say(v)).collect::<Vec<_>>().join(", puis ")
 }
 
-/// Values at keys; the keys are named where not all of them have a value.
-fn keys<T>(values: &Keys<T>, intervals: usize, say: impl Fn(&T) -> String) -> String {
-    let everywhere = values.len() == intervals + 1 || values.len() == 1 && values.stated(0).is_some();
-    if everywhere {
-        return joined(values, say);
-    }
-    let all: Vec<String> = values.iter().map(|(k, v)| format!("{} (posture {})", say(v), k + 1)).collect();
-    all.join(", puis ")
+fn configuration(v: &Configuration) -> String {
+    let mixed = |name: &str, own: &[HandshapeChange]| match own {
+        [] => name.to_owned(),
+        own => format!("({name}{})", changes(own)),
+    };
+    let base = match &v.between {
+        None => v.base.clone(),
+        Some(b) => format!("à mi-chemin entre {} et {}", mixed(&v.base, &b.first), mixed(&b.second, &b.changes)),
+    };
+    base + &changes(&v.changes)
 }
 
-fn configuration(v: &Configuration) -> String {
-    let mut text = match &v.between {
-        None => v.base.clone(),
-        Some(other) => format!("à mi-chemin entre {} et {}", v.base, other.second),
-    };
-    for change in &v.changes {
-        text.push_str(", ");
-        text.push_str(&match *change {
-            HandshapeChange::Thumb(ThumbPosition::Along) => "le pouce le long de la main".to_owned(),
-            HandshapeChange::Thumb(ThumbPosition::Out) => "le pouce écarté".to_owned(),
-            HandshapeChange::Thumb(ThumbPosition::Across) => "le pouce en travers".to_owned(),
-            HandshapeChange::Thumb(ThumbPosition::Opposed) => "le pouce opposé aux doigts".to_owned(),
-            HandshapeChange::Thumb(ThumbPosition::Enclosed) => "le pouce sous les doigts fermés".to_owned(),
-            HandshapeChange::Bend(digits, bend) if digits.is_empty() => {
-                format!("les doigts choisis {}s", bend_name(bend))
-            }
-            HandshapeChange::Bend(digits, bend) => {
-                let plural = if digits.iter().count() > 1 { "s" } else { "" };
-                format!("{} {}{plural}", fingers(digits), bend_name(bend))
-            }
-            HandshapeChange::Spread(true) => "les doigts écartés".to_owned(),
-            HandshapeChange::Spread(false) => "les doigts joints".to_owned(),
-            HandshapeChange::Cross(over, under) => format!("{} devant {}", digit(over), digit(under)),
-            HandshapeChange::ThumbBetween(a, b) => format!("le pouce entre {} et {}", digit(a), digit(b)),
-            HandshapeChange::On(digits) => format!("avec {}", fingers(digits)),
-            HandshapeChange::Except(digits) => format!("sauf {}", fingers(digits)),
-            HandshapeChange::Opening(Opening::Tight) => "presque fermée".to_owned(),
-            HandshapeChange::Opening(Opening::Slack) => "grande ouverte".to_owned(),
-            HandshapeChange::Meet(..) | HandshapeChange::ThumbAt(_) | HandshapeChange::Joints(..) => {
-                "les doigts comme décrits".to_owned()
-            }
-        });
+/// Changes, each with a comma before it.
+fn changes(all: &[HandshapeChange]) -> String {
+    all.iter().map(|one| format!(", {}", change(*one))).collect()
+}
+
+fn change(v: HandshapeChange) -> String {
+    match v {
+        HandshapeChange::Thumb(ThumbPosition::Along) => "le pouce le long de la main".into(),
+        HandshapeChange::Thumb(ThumbPosition::Out) => "le pouce écarté".into(),
+        HandshapeChange::Thumb(ThumbPosition::Across) => "le pouce en travers".into(),
+        HandshapeChange::Thumb(ThumbPosition::Opposed) => "le pouce opposé aux doigts".into(),
+        HandshapeChange::Thumb(ThumbPosition::Enclosed) => "le pouce sous les doigts fermés".into(),
+        HandshapeChange::Bend(digits, bend) if digits.is_empty() => format!("les doigts choisis {}s", bend_name(bend)),
+        HandshapeChange::Bend(digits, bend) => format!("{} {}{}", fingers(digits), bend_name(bend), plural(digits)),
+        HandshapeChange::Spread(true) => "les doigts écartés".into(),
+        HandshapeChange::Spread(false) => "les doigts joints".into(),
+        HandshapeChange::Cross(over, under) => format!("{} devant {}", digit(over), digit(under)),
+        HandshapeChange::ThumbBetween(a, b) => format!("le pouce entre {} et {}", digit(a), digit(b)),
+        HandshapeChange::On(digits) => format!("formée par {}", fingers(digits)),
+        HandshapeChange::Except(digits) => format!("{} resté{} comme avant", fingers(digits), plural(digits)),
+        HandshapeChange::Opening(Opening::Tight) => "presque fermée".into(),
+        HandshapeChange::Opening(Opening::Slack) => "grande ouverte".into(),
+        HandshapeChange::Meet(one, at, other) => {
+            format!("{} contre {} {}", digit(one), part(at), of(digit(other)))
+        }
+        HandshapeChange::ThumbAt(at) => format!("le pouce contre {} des doigts", part(at)),
+        HandshapeChange::Joints(digits, [base, middle, last]) => {
+            let (who, many) =
+                if digits.is_empty() { ("les doigts choisis".into(), "s") } else { (fingers(digits), plural(digits)) };
+            format!("{who} plié{many} de {base}, {middle} et {last} quarts à la base, au milieu et au bout")
+        }
     }
-    text
+}
+
+fn plural(digits: Digits) -> &'static str {
+    if digits.iter().count() > 1 { "s" } else { "" }
 }
 
 /// Masculine; the plural adds an s.
@@ -173,8 +186,11 @@ fn orientation(v: &Orientation) -> String {
 }
 
 fn contact(v: &Contact) -> String {
-    let named = |of: Option<HandPoint>| of.map_or_else(|| "une partie".to_owned(), point);
-    let (strong, weak) = (named(v.strong), named(v.weak));
+    let named = |of: Option<HandPoint>, hand: &str| match of {
+        None => format!("la main {hand}"),
+        Some(of) => format!("{} de la main {hand}", point(of)),
+    };
+    let (strong, weak) = (named(v.strong, "dominante"), named(v.weak, "dominée"));
     let meets = match v.kind {
         ContactKind::Touch => format!("touche {weak}"),
         ContactKind::Close => format!("est tout près {}", of(&weak)),
@@ -182,7 +198,15 @@ fn contact(v: &Contact) -> String {
         ContactKind::Interlocked => format!("s'entrelace avec {weak}"),
         ContactKind::Metres(metres) => format!("est à {} {}", length(metres), of(&weak)),
     };
-    format!("{strong} de la main dominante {meets} de la main dominée")
+    format!("{strong} {meets}")
+}
+
+/// What a hand becomes during a movement.
+pub(super) fn becoming(v: &Becoming) -> String {
+    let shape = v.configuration.as_ref().map(configuration);
+    let turned = v.orientation.as_ref().map(orientation);
+    let meets = v.contact.as_ref().map(|c| format!("puis {}", contact(c)));
+    [shape, turned, meets].into_iter().flatten().collect::<Vec<_>>().join(", ")
 }
 
 fn channel_name(channel: Channel) -> &'static str {
@@ -200,22 +224,21 @@ fn channel_name(channel: Channel) -> &'static str {
 }
 
 fn nonmanual(v: &NonManual, names: &LocationInventory) -> String {
+    let all = |parts: &[NonManual], by: &str| parts.iter().map(|p| nonmanual(p, names)).collect::<Vec<_>>().join(by);
     let text = match &v.value {
         NonManualValue::Named(name) => format!("« {name} »"),
         NonManualValue::Towards(h) => heading(*h),
         NonManualValue::At(at) => format!("vers {}", place(&at.place, names)),
         NonManualValue::Mouthing(sounds) => format!("articule « {sounds} » sans voix"),
-        NonManualValue::Sequence(parts) => {
-            parts.iter().map(|p| nonmanual(p, names)).collect::<Vec<_>>().join(", puis ")
-        }
-        NonManualValue::Together(parts) => {
-            parts.iter().map(|p| nonmanual(p, names)).collect::<Vec<_>>().join(" et en même temps ")
-        }
+        NonManualValue::Sequence(parts) => format!("({})", all(parts, ", puis ")),
+        NonManualValue::Together(parts) => format!("({})", all(parts, " et en même temps ")),
     };
-    match v.amount {
-        Amount::Slight => format!("{text}, légèrement"),
-        Amount::Plain => text,
-        Amount::Strong => format!("{text}, fortement"),
-        Amount::Percent(percent) => format!("{text}, à {percent} %"),
-    }
+    let amount = match v.amount {
+        Amount::Slight => ", légèrement".to_owned(),
+        Amount::Plain => String::new(),
+        Amount::Strong => ", fortement".to_owned(),
+        Amount::Percent(percent) => format!(", à {percent} %"),
+    };
+    let pace = if v.pace == 1.0 { String::new() } else { format!(", {} fois plus vite", number(v.pace)) };
+    text + &amount + &pace
 }

@@ -1,5 +1,6 @@
 //! Movements in French words: noun phrases, so that they join with `puis` and `et en même temps`.
 
+use super::french::becoming;
 use super::french_noun::{grows, heading, length, number, of_fingers, place, placement, towards};
 use crate::phonology::{
     Action, Digits, Extent, LocationInventory, Manner, Motion, Movement, Overlay, Repetition, RepetitionKind, Size,
@@ -13,7 +14,10 @@ pub(super) fn movement(v: &Movement, names: &LocationInventory) -> String {
         Movement::Sequence(all) => parts(all, ", puis "),
         Movement::Together(all) => parts(all, " et en même temps "),
         Movement::Fused(all) => format!("fondus en un seul geste : {}", parts(all, " et ")),
-        Movement::Repeated(r) => format!("{}, {}", part(&r.movement, names), repeated(r.repetition)),
+        Movement::Repeated(r) => {
+            let turns = if r.alternating { ", les mains tour à tour" } else { "" };
+            format!("({}), le tout {}{turns}", movement(&r.movement, names), repeated(r.repetition))
+        }
         Movement::Backwards(inner) => format!("à rebours : {}", part(inner, names)),
     }
 }
@@ -62,8 +66,17 @@ fn said(v: &Action, names: &LocationInventory) -> String {
     if let Some(long) = v.duration {
         add(format!("en {} s", number(long.0)));
     }
+    if v.pace != 1.0 {
+        add(format!("{} fois plus vite", number(v.pace)));
+    }
     if v.alternating {
         add("les mains tour à tour".into());
+    }
+    if let Some(posture) = &v.becoming {
+        add(format!("la main devenant entre-temps {}", becoming(posture)));
+    }
+    if let Some(name) = &v.names {
+        add(format!("jusqu'à un lieu nommé « {name} »"));
     }
     text
 }
@@ -74,7 +87,19 @@ fn repeated(v: Repetition) -> String {
         RepetitionKind::Continue => "chaque fois à partir de l'arrivée",
         RepetitionKind::ToAndFro => "en va-et-vient",
     };
-    format!("{} fois en tout, {way}{}", v.times, grows(v.growth))
+    let times = match (v.kind, v.times) {
+        (RepetitionKind::ToAndFro, n) => format!("{way}, {n} fois"),
+        (RepetitionKind::FromStart | RepetitionKind::Continue, n) => format!("{n} fois en tout, {way}"),
+    };
+    let shift = v.shift.map(|s| {
+        let far = match s.size {
+            Size::Small => "un peu ",
+            Size::Normal => "",
+            Size::Large => "loin ",
+        };
+        format!(", en se déplaçant {far}{}", towards(s.direction))
+    });
+    format!("{times}{}{}", grows(v.growth), shift.unwrap_or_default())
 }
 
 fn motion(v: &Motion) -> String {
@@ -143,13 +168,17 @@ fn sized(noun: &str, extent: Extent) -> String {
 }
 
 fn waves(overlay: Option<Overlay>) -> String {
-    let Some(Overlay { zigzag, size, .. }) = overlay else { return String::new() };
+    let Some(Overlay { zigzag, size, across, growth }) = overlay else { return String::new() };
     let way = if zigzag { "en zigzag" } else { "en ondulant" };
-    match size {
+    let mut text = match size {
         Size::Small => format!(", {way} un peu"),
         Size::Normal => format!(", {way}"),
         Size::Large => format!(", {way} beaucoup"),
+    };
+    if let Some(across) = across {
+        text.push_str(&format!(" {}", towards(across)));
     }
+    text + grows(growth)
 }
 
 /// The hour of a place on the clock face, in eighths of a turn from the top.

@@ -2,7 +2,7 @@
 
 use crate::phonology::{
     Digit, Digits, Direction, Distance, Flank, HandPart, HandPoint, Heading, Lateral, LocationInventory, Place,
-    Placement, Side,
+    Placement, Side, Sited,
 };
 
 /// `de` with a noun: du front, des yeux, de la joue, de l'oreille.
@@ -79,8 +79,8 @@ pub(super) fn of_fingers(digits: Digits) -> String {
 }
 
 /// A part of a hand or an arm, with its article.
-pub(super) fn point(point: HandPoint) -> String {
-    let part = match point.part() {
+pub(super) fn part(part: HandPart) -> &'static str {
+    match part {
         HandPart::Tip => "le bout",
         HandPart::Nail => "l'ongle",
         HandPart::Pad => "la pulpe",
@@ -99,7 +99,19 @@ pub(super) fn point(point: HandPoint) -> String {
         HandPart::Elbow => "le coude",
         HandPart::ElbowInside => "le creux du coude",
         HandPart::UpperArm => "le haut du bras",
-    };
+    }
+}
+
+/// A part of a hand or an arm, or halfway between two.
+pub(super) fn point(of: HandPoint) -> String {
+    match of.second() {
+        None => spot(of),
+        Some(second) => format!("le point à mi-chemin entre {} et {}", spot(of.first()), spot(second)),
+    }
+}
+
+fn spot(point: HandPoint) -> String {
+    let part = part(point.part());
     let flank = match point.flank() {
         None => "",
         Some(Flank::Radial) => " (côté pouce)",
@@ -154,9 +166,26 @@ pub(super) fn place(v: &Place, names: &LocationInventory) -> String {
         Place::Point(p) => {
             format!("le point à {} m à gauche, {} m de haut, {} m devant", number(p.x), number(p.y), number(p.z))
         }
-        Place::Between(a, b) => format!("le milieu entre {} et {}", place(&a.place, names), place(&b.place, names)),
+        Place::Between(a, b) => format!("le milieu entre {} et {}", sited(a, names), sited(b, names)),
         Place::Referent(name) => format!("le lieu de « {name} »"),
         Place::Towards(at) => format!("l'endroit d'où la main pointe vers {}", place(at, names)),
+    }
+}
+
+fn sited(v: &Sited, names: &LocationInventory) -> String {
+    match v.lateral {
+        None => place(&v.place, names),
+        Some(lateral) => format!("{} ({})", place(&v.place, names), side(lateral)),
+    }
+}
+
+/// On which side of a place.
+fn side(v: Lateral) -> &'static str {
+    match v {
+        Lateral { side: Side::Left, beside: false } => "du côté gauche",
+        Lateral { side: Side::Right, beside: false } => "du côté droit",
+        Lateral { side: Side::Left, beside: true } => "sur la gauche, à côté",
+        Lateral { side: Side::Right, beside: true } => "sur la droite, à côté",
     }
 }
 
@@ -170,13 +199,9 @@ pub(super) fn placement(v: &Placement, names: &LocationInventory) -> String {
         Distance::Extended => format!("à bout de bras {}", of(&noun)),
         Distance::Metres(metres) => format!("à {} {}", length(metres), of(&noun)),
     };
-    text.push_str(match v.lateral {
-        None => "",
-        Some(Lateral { side: Side::Left, beside: false }) => ", du côté gauche",
-        Some(Lateral { side: Side::Right, beside: false }) => ", du côté droit",
-        Some(Lateral { side: Side::Left, beside: true }) => ", sur la gauche, à côté",
-        Some(Lateral { side: Side::Right, beside: true }) => ", sur la droite, à côté",
-    });
+    if let Some(lateral) = v.lateral {
+        text.push_str(&format!(", {}", side(lateral)));
+    }
     if v.behind {
         text.push_str(", par derrière");
     }

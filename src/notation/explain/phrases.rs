@@ -20,7 +20,11 @@ pub(super) struct Phrases {
     pub counts: &'static str,
     pub strong: &'static str,
     pub weak: &'static str,
+    pub contact: &'static str,
     pub duration: &'static str,
+    /// What heads the first phase and a further one, and what is said there of a hand that does not act.
+    pub phase: [&'static str; 2],
+    pub other_stays: &'static str,
     pub made_from: &'static str,
     /// Configuration, placement, orientation, movement: its name, and what holds where it is not said.
     pub tiers: [[&'static str; 2]; 4],
@@ -62,7 +66,10 @@ const ENGLISH: Phrases = Phrases {
     counts: "postures and movements",
     strong: "strong hand ",
     weak: "weak hand ",
+    contact: "contact",
     duration: "duration",
+    phase: ["phase", "then, phase"],
+    other_stays: ", a hand that does not act staying where it was",
     made_from: "made from",
     tiers: [
         ["configuration", "relaxed"],
@@ -98,7 +105,10 @@ const FRENCH: Phrases = Phrases {
     counts: "postures et mouvements",
     strong: "la main dominante, ",
     weak: "la main dominée, ",
+    contact: "le contact",
     duration: "la durée",
+    phase: ["la phase", "puis la phase"],
+    other_stays: ", une main inactive restant où elle était",
     made_from: "fait à partir de",
     tiers: [
         ["configuration", "la main détendue"],

@@ -1,22 +1,23 @@
 //! What was written to what it means: [`syntax`](super::syntax) → [`Sign`], names looked up, keys counted.
 
 mod keys;
+mod movement;
+mod phase;
 mod recombination;
 mod value;
 
-use super::syntax::{Content, File, TierLine, Value, Values};
+use super::syntax::{Begins, Content, File, Line, TierLine, Value, Values};
 use super::vocabulary::Vocabulary;
 use crate::diagnostics::{Diagnostic, Severity, Span, Spanned};
-use crate::phonology::{
-    self, Action, Channel, Hand, Hands, Keys, Manual, Motion, Movement, Orientation, Relocation, Sign,
-};
+use crate::phonology::{self, Action, Channel, Hand, Hands, Keys, Manual, Motion, Movement, Relocation, Sign};
 use crate::time::Seconds;
 use keys::{Tally, place};
+pub use movement::default_bulge;
+use phase::Phase;
 pub use recombination::Derived;
 pub(crate) use recombination::operators;
 pub(crate) use value::NAME_STOPS;
 use value::Names;
-pub use value::default_bulge;
 
 /// A sign and where it was written.
 #[derive(Debug, Clone, PartialEq)]
@@ -62,30 +63,20 @@ pub fn lower(file: &File, vocabulary: &Vocabulary, language: &str, diagnostics: 
                 }
             }
             Some(Content::Sign(name, made)) => {
-                blocks.push(Block { name: Some(name), made: made.as_ref(), tiers: Vec::new(), broken: false });
+                blocks.push(Block { name: Some(name), made: made.as_ref(), ..Block::default() });
             }
-            Some(Content::Broken { begins_sign: true }) => {
-                blocks.push(Block { name: None, made: None, tiers: Vec::new(), broken: true })
-            }
-            Some(Content::Broken { begins_sign: false }) => {
-                orphan_told |= blocks.is_empty();
-                if let Some(block) = blocks.last_mut() {
-                    block.broken = true;
+            Some(Content::Broken(Begins::Sign)) => blocks.push(Block { broken: true, ..Block::default() }),
+            Some(Content::Broken(Begins::Phase | Begins::Line)) | Some(Content::Then(_)) | Some(Content::Tier(_)) => {
+                match blocks.last_mut() {
+                    Some(block) => block.line(line),
+                    // Said once, not for each line.
+                    None if !orphan_told => {
+                        orphan_told = true;
+                        diagnostics.extend(orphan(line));
+                    }
+                    None => {}
                 }
             }
-            Some(Content::Tier(tier)) => match blocks.last_mut() {
-                Some(block) => block.tiers.push(tier),
-                // Said once, not for each line.
-                None if !orphan_told => {
-                    orphan_told = true;
-                    diagnostics.push(
-                        Diagnostic::fault(tier.keyword.0, "a tier before the first sign")
-                            .label("of which sign?")
-                            .hint("begin with a line `sign NAME`"),
-                    );
-                }
-                None => {}
-            },
         }
     }
     let mut all = Lowering::default();
@@ -95,7 +86,8 @@ pub fn lower(file: &File, vocabulary: &Vocabulary, language: &str, diagnostics: 
             None => block.lower(vocabulary, &language, &mut faults).map(Ok),
             Some(made) => block.derived(made, vocabulary, &language, &mut faults).map(Err),
         };
-        let sound = !block.broken && faults.iter().all(|d| d.severity != Severity::Fault);
+        let broken = block.broken || block.then.iter().any(|phase| phase.block.broken);
+        let sound = !broken && faults.iter().all(|d| d.severity != Severity::Fault);
         match sign.filter(|_| sound) {
             Some(Ok(sign)) => all.signs.push(sign),
             Some(Err(derived)) => all.derived.push(derived),
@@ -104,6 +96,17 @@ pub fn lower(file: &File, vocabulary: &Vocabulary, language: &str, diagnostics: 
         diagnostics.append(&mut faults);
     }
     all
+}
+
+/// A fault for a line before the first sign; none where the line itself has one.
+fn orphan(line: &Line) -> Option<Diagnostic> {
+    let (span, what) = match line.content.as_ref()? {
+        Content::Tier(tier) => (tier.keyword.0, "a tier"),
+        Content::Then(_) => (line.span.0, "a phase"),
+        Content::Broken(_) | Content::Sign(..) | Content::Language(_) => return None,
+    };
+    let fault = Diagnostic::fault(span, format!("{what} before the first sign"));
+    Some(fault.label("of which sign?").hint("begin with a line `sign NAME`"))
 }
 
 /// A non-manual value with its names looked up, for a gloss line; faults are added to `diagnostics`.
@@ -116,13 +119,17 @@ pub fn nonmanual(
     Names { vocabulary, language: "" }.nonmanual(channel, written, diagnostics)
 }
 
-/// A sign's lines.
+/// The lines of a sign, or of one of its phases.
+#[derive(Default)]
 struct Block<'f> {
     name: Option<&'f Spanned<String>>,
     /// What it is made from.
     made: Option<&'f super::syntax::Expression>,
     tiers: Vec<&'f TierLine>,
+    /// Whether one of its lines could not be read.
     broken: bool,
+    /// Its further phases.
+    then: Vec<Phase<'f>>,
 }
 
 /// A tier's values of one hand and where they stand.
@@ -139,8 +146,24 @@ struct Written<'f> {
 
 impl<'f> Block<'f> {
     fn lower(&self, vocabulary: &Vocabulary, language: &str, faults: &mut Vec<Diagnostic>) -> Option<Lowered> {
+        let names = Names { vocabulary, language };
         let name = self.name?;
-        let mut sign = Sign { language: language.to_owned(), ..Sign::named(name.value.clone()) };
+        let sign = self.described(&names, faults);
+        if self.tiers.is_empty() && !self.broken && self.then.is_empty() {
+            faults.push(
+                Diagnostic::warning(name.span, format!("nothing is said of `{}`", name.value))
+                    .label("this sign has no tiers"),
+            );
+        }
+        let then: Vec<Option<Sign>> = self.then.iter().map(|phase| phase.described(&names, faults)).collect();
+        let then = then.into_iter().collect::<Option<Vec<Sign>>>();
+        let sign = Sign { name: name.value.clone(), language: language.to_owned(), then: then?, ..sign? };
+        Some(Lowered { sign, name_span: name.span })
+    }
+
+    /// What the tiers say, without name, language and phases.
+    fn described(&self, names: &Names, faults: &mut Vec<Diagnostic>) -> Option<Sign> {
+        let mut sign = Sign::named("");
         self.twice(faults);
         let hands_span = self.header(&mut sign);
         let manual = self.manual_tiers();
@@ -150,15 +173,8 @@ impl<'f> Block<'f> {
         }
         let tally = self.tally(&manual, faults)?;
         sign.intervals = tally.intervals;
-        let names = Names { vocabulary, language };
-        self.fill(&mut sign, &manual, &tally, &names, faults);
-        if self.tiers.is_empty() && !self.broken {
-            faults.push(
-                Diagnostic::warning(name.span, format!("nothing is said of `{}`", name.value))
-                    .label("this sign has no tiers"),
-            );
-        }
-        Some(Lowered { sign, name_span: name.span })
+        self.fill(&mut sign, &manual, &tally, names, faults);
+        Some(sign)
     }
 
     /// Faults for tiers given twice.
@@ -292,13 +308,7 @@ impl<'f> Block<'f> {
             }
             if let Some(values) = own.orientation.or(shared.orientation.filter(|_| shares)) {
                 value::check_palms(values.0, &mut told);
-                manual.orientation = place(values, tally, &mut told, |v, _| {
-                    Some(Orientation {
-                        fingers: v.fingers.map(|h| h.value),
-                        palm: v.palm.map(|h| h.value),
-                        along_path: v.along_path,
-                    })
-                });
+                manual.orientation = place(values, tally, &mut told, |v, _| Some(value::orientation(v)));
             }
             // In a sign of two different hands, the movement is the strong hand's unless it says otherwise.
             let moves = shares && !(hand == Hand::Weak && sign.hands == Hands::Both(None));
@@ -339,7 +349,7 @@ impl<'f> Block<'f> {
         }
         for tier in &self.tiers {
             if let Value::Contact(values) = &tier.value {
-                sign.contact = place((values, tier.keyword.0), tally, faults, |v, _| Some(value::contact(*v)));
+                sign.contact = place((values, tier.keyword.0), tally, faults, |v, _| Some(value::contact(v)));
             }
         }
         // Weak tiers of a one-handed sign were told as faults; nothing of them may stay.

@@ -1,13 +1,13 @@
 //! Signs made from others: expressions with their names looked up, and what their own lines say.
 
-use super::value::{Names, check_palms};
+use super::value::{Names, check_palms, orientation};
 use super::{Block, Seconds};
 use crate::diagnostics::{Diagnostic, Span, Spanned};
 use crate::notation::syntax::{self, Expression, Ignored, Value};
 use crate::notation::vocabulary::Vocabulary;
 use crate::phonology::operator::Operator;
 use crate::phonology::recombination::{Base, Recombination};
-use crate::phonology::{Keys, Orientation, Relocation, Sign};
+use crate::phonology::{Keys, Relocation, Sign};
 use glam::DVec3;
 
 /// A sign made from others, before those are looked up.
@@ -79,6 +79,13 @@ impl Block<'_> {
                 | Value::Contact(_)
                 | Value::At(_) => faults.push(self.not_below(tier)),
             }
+        }
+        if let Some(phase) = self.then.first() {
+            faults.push(
+                Diagnostic::fault(phase.span, "a sign made from others has no phases of its own")
+                    .label("here")
+                    .hint("describe what follows as a sign, and join them: `= A then B`"),
+            );
         }
         let mut from = from?;
         from.operators.extend(more);
@@ -156,14 +163,7 @@ fn operator(written: &syntax::Operator, names: &Names, span: Span, faults: &mut 
             if faults.len() > before {
                 return None;
             }
-            let meant = |v: &syntax::Orientation| {
-                Some(Orientation {
-                    fingers: v.fingers.map(|h| h.value),
-                    palm: v.palm.map(|h| h.value),
-                    along_path: v.along_path,
-                })
-            };
-            Operator::Orientation(*hand, all(v, meant)?)
+            Operator::Orientation(*hand, all(v, |v| Some(orientation(v)))?)
         }
         syntax::Operator::Movement(hand, v) => {
             let movements = names.movements(v, span, faults);

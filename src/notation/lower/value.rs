@@ -1,19 +1,15 @@
 //! Single values: names looked up, lengths in metres, palms checked against fingers.
 
-use crate::diagnostics::{Diagnostic, Span, Spanned};
+use crate::diagnostics::{Diagnostic, Spanned};
 use crate::notation::parse::configuration;
 use crate::notation::suggest::nearest;
 use crate::notation::syntax::{self, ContactKind, NonManualWhat, Values};
 use crate::notation::vocabulary::{Found, Vocabulary};
 use crate::phonology::{
-    self, Action, Attested, Channel, Configuration, Contact, Direction, Distance, Extent, Heading, Lateral, Motion,
-    Movement, NonManual, NonManualValue, Place, Placement, RepetitionKind,
+    self, Attested, Between, Channel, Configuration, Contact, Direction, Distance, Heading, Lateral, NonManual,
+    NonManualValue, Orientation, Place, Placement, Sited,
 };
-use crate::time::Seconds;
 use glam::DVec3;
-
-/// The most movements that groups may come to when they are written out.
-const MOST_PARTS: usize = 1000;
 
 /// Looks names up.
 pub(super) struct Names<'v> {
@@ -28,13 +24,14 @@ impl Names<'_> {
         faults: &mut Vec<Diagnostic>,
     ) -> Option<Configuration> {
         let before = faults.len();
-        for name in std::iter::once(&written.base).chain(&written.between) {
+        for name in std::iter::once(&written.base).chain(written.between.as_ref().map(|b| &b.second)) {
             self.handshape(name, faults);
         }
         (faults.len() == before).then(|| Configuration {
             base: written.base.value.clone(),
             between: written.between.as_ref().map(|b| {
-                Box::new(phonology::Between { first: Vec::new(), second: b.value.clone(), changes: Vec::new() })
+                let (first, changes) = (b.first.clone(), b.changes.clone());
+                Box::new(Between { first, second: b.second.value.clone(), changes })
             }),
             changes: written.changes.clone(),
         })
@@ -84,12 +81,17 @@ impl Names<'_> {
             syntax::Place::Space(cell) => Place::Space(*cell),
             syntax::Place::Point(at) => Place::Point(DVec3::from_array(*at)),
             syntax::Place::Between(a, b) => {
-                let (a, b) = (self.place(a, faults), self.place(b, faults));
-                Place::Between(Box::new(a?.into()), Box::new(b?.into()))
+                let (a, b) = (self.sited(a, faults), self.sited(b, faults));
+                Place::Between(Box::new(a?), Box::new(b?))
             }
             syntax::Place::Referent(name) => Place::Referent(name.clone()),
             syntax::Place::Towards(at) => Place::Towards(Box::new(self.place(at, faults)?)),
         })
+    }
+
+    fn sited(&self, written: &syntax::Sited, faults: &mut Vec<Diagnostic>) -> Option<Sited> {
+        let lateral = written.side.map(|(side, beside)| Lateral { side, beside });
+        Some(Sited { place: self.place(&written.place, faults)?, lateral })
     }
 
     /// The configurations attested on a base.
@@ -160,8 +162,20 @@ impl Names<'_> {
             NonManualWhat::Towards(heading) => NonManualValue::Towards(*heading),
             NonManualWhat::At(place) => NonManualValue::At(self.placement(place, faults)?),
             NonManualWhat::Mouthing(sounds) => NonManualValue::Mouthing(sounds.clone()),
+            NonManualWhat::Sequence(parts) => NonManualValue::Sequence(self.nonmanuals(channel, parts, faults)?),
+            NonManualWhat::Together(parts) => NonManualValue::Together(self.nonmanuals(channel, parts, faults)?),
         };
-        Some(NonManual { value, amount: written.amount, pace: 1.0 })
+        Some(NonManual { value, amount: written.amount, pace: written.pace.unwrap_or(1.0) })
+    }
+
+    fn nonmanuals(
+        &self,
+        channel: Channel,
+        parts: &[syntax::NonManual],
+        faults: &mut Vec<Diagnostic>,
+    ) -> Option<Vec<NonManual>> {
+        let all: Vec<Option<NonManual>> = parts.iter().map(|part| self.nonmanual(channel, part, faults)).collect();
+        all.into_iter().collect()
     }
 
     fn nonmanual_name(&self, channel: Channel, name: &Spanned<String>, faults: &mut Vec<Diagnostic>) -> Option<()> {
@@ -191,119 +205,6 @@ impl Names<'_> {
         });
         None
     }
-
-    /// One movement for each interval.
-    pub(super) fn movements(
-        &self,
-        written: &[syntax::Movement],
-        span: Span,
-        faults: &mut Vec<Diagnostic>,
-    ) -> Vec<Movement> {
-        let mut parts = 0;
-        let mut out = Vec::with_capacity(written.len());
-        for (interval, movement) in written.iter().enumerate() {
-            check_returns(movement, interval, written.len() - 1 - interval, faults);
-            match self.movement(movement, span, &mut parts, faults) {
-                Some(movement) => out.push(movement),
-                None => return Vec::new(),
-            }
-        }
-        out
-    }
-
-    fn movement(
-        &self,
-        written: &syntax::Movement,
-        span: Span,
-        parts: &mut usize,
-        faults: &mut Vec<Diagnostic>,
-    ) -> Option<Movement> {
-        *parts += 1;
-        if *parts > MOST_PARTS {
-            faults.push(
-                Diagnostic::fault(span, format!("this movement comes to more than {MOST_PARTS} parts"))
-                    .label("here")
-                    .hint("a sign this long is several signs"),
-            );
-            return None;
-        }
-        let mut all = |movements: &[syntax::Movement]| {
-            movements.iter().map(|m| self.movement(m, span, parts, faults)).collect::<Option<Vec<_>>>()
-        };
-        match written {
-            syntax::Movement::Group { fused: true, parts } => all(parts).map(Movement::Fused),
-            syntax::Movement::Group { fused: false, parts } => all(parts).map(Movement::Sequence),
-            syntax::Movement::Together(parts) => all(parts).map(Movement::Together),
-            syntax::Movement::Backwards(inner) => match &**inner {
-                syntax::Movement::Group { fused: false, parts } => all(parts).map(Movement::Sequence),
-                other => self.movement(other, span, parts, faults),
-            }
-            .map(|inner| Movement::Backwards(Box::new(inner))),
-            syntax::Movement::Repeated(group, repetition) => {
-                if repetition.kind != RepetitionKind::Continue || repetition.growth != 0 {
-                    faults.push(
-                        Diagnostic::fault(span, "a group cannot yet be repeated from its start")
-                            .label("of this tier")
-                            .hint("write `continued` after the bracket for one performance after the other, or repeat each movement in it"),
-                    );
-                    return None;
-                }
-                let one: &[syntax::Movement] = match &**group {
-                    syntax::Movement::Group { fused: false, parts } => parts,
-                    other => std::slice::from_ref(other),
-                };
-                let mut sequence = Vec::new();
-                for _ in 0..repetition.times {
-                    sequence.extend(all(one)?);
-                }
-                Some(Movement::Sequence(sequence))
-            }
-            syntax::Movement::Action(action) => {
-                self.action(action, faults).map(|action| Movement::Action(Box::new(action)))
-            }
-        }
-    }
-
-    fn action(&self, written: &syntax::Action, faults: &mut Vec<Diagnostic>) -> Option<Action> {
-        let before = faults.len();
-        let mut to = |place: &Option<syntax::Placement>| place.as_ref().and_then(|p| self.placement(p, faults));
-        let (target, brushing) = (to(&written.target), to(&written.brushing));
-        (faults.len() == before).then(|| Action {
-            motion: motion(&written.motion),
-            target,
-            brushing,
-            manner: written.manner.clone(),
-            repetition: written.repetition,
-            duration: written.duration.map(|d| Seconds(d.seconds())),
-            alternating: written.alternating,
-            pace: 1.0,
-            becoming: None,
-            names: None,
-        })
-    }
-}
-
-/// Faults for ways back to keys that the hand has not come to: `before` movements stand before this one, `after` behind it.
-fn check_returns(written: &syntax::Movement, before: usize, after: usize, faults: &mut Vec<Diagnostic>) {
-    match written {
-        syntax::Movement::Action(action) => {
-            if let syntax::Motion::Return(key) = action.motion
-                && key.value > before + 1
-            {
-                faults.push(
-                    Diagnostic::fault(key.span, format!("the hand has not been at key {} yet", key.value))
-                        .label(format!("this movement begins at key {}", before + 1))
-                        .hint("`back` goes to a key before it; key 1 is the start"),
-                );
-            }
-        }
-        syntax::Movement::Group { parts, .. } | syntax::Movement::Together(parts) => {
-            parts.iter().for_each(|part| check_returns(part, before, after, faults));
-        }
-        syntax::Movement::Repeated(inner, _) => check_returns(inner, before, after, faults),
-        // Keys in it count from the sign's end.
-        syntax::Movement::Backwards(inner) => check_returns(inner, after, before, faults),
-    }
 }
 
 /// A known name in front of something more: a comma was forgotten.
@@ -311,7 +212,10 @@ fn split_known(name: &str, known: impl Fn(&str) -> bool) -> Option<(&str, &str)>
     name.match_indices(' ').map(|(i, _)| (&name[..i], &name[i + 1..])).rev().find(|(first, _)| known(first)).filter(
         |(_, rest)| {
             let word = rest.split(' ').next().unwrap_or_default();
-            let after_comma = ["touch", "close", "neutral", "extended", "with", "offset", "spread", "together"];
+            let after_comma = [
+                "touch", "close", "neutral", "extended", "with", "offset", "spread", "together", "on", "except",
+                "tight", "slack", "joints",
+            ];
             let digits = phonology::Digit::ALL.map(phonology::Digit::name);
             let bends = phonology::Bend::ALL.map(phonology::Bend::name);
             nearest(word, after_comma.into_iter().chain(digits).chain(bends)).is_some()
@@ -320,61 +224,8 @@ fn split_known(name: &str, known: impl Fn(&str) -> bool) -> Option<(&str, &str)>
     )
 }
 
-fn extent(written: syntax::Extent) -> Extent {
-    match written {
-        syntax::Extent::Size(size) => Extent::Size(size),
-        syntax::Extent::Length(length) => Extent::Metres(length.metres()),
-    }
-}
-
-fn motion(written: &syntax::Motion) -> Motion {
-    match *written {
-        syntax::Motion::Hold => Motion::Hold,
-        syntax::Motion::Change => Motion::Change,
-        syntax::Motion::Return(key) => Motion::Return { key: key.value.saturating_sub(1) },
-        syntax::Motion::Straight { direction, extent: e, overlay } => {
-            Motion::Straight { direction, extent: extent(e), overlay }
-        }
-        syntax::Motion::Arc { direction, extent: e, bulge, depth, overlay } => Motion::Arc {
-            direction,
-            extent: extent(e),
-            bulge: bulge.unwrap_or_else(|| default_bulge(direction)).into(),
-            depth,
-            overlay,
-        },
-        syntax::Motion::Circle { axis, extent: e, start, turns, ellipse, growth } => {
-            Motion::Circle { axis: axis.into(), extent: extent(e), start, turns, ellipse, growth, overlay: None }
-        }
-        syntax::Motion::Wrist(wrist, size) => Motion::Wrist(wrist, size),
-        syntax::Motion::Wiggle(digits) => Motion::Wiggle(digits),
-    }
-}
-
-/// The side to which an arc bulges where it is not said: up for a level one; for one that rises or falls, its
-/// own level part (a scoop: `arc up-right` bulges right); out for one straight up or down.
-///
-/// ```
-/// use chereme::notation::lower::default_bulge;
-/// use chereme::phonology::Direction;
-/// let toward = |text: &str| text.parse::<Direction>().unwrap().into();
-/// assert_eq!(default_bulge(toward("left")), Direction::UP);
-/// assert_eq!(default_bulge(toward("up-right")), Direction::RIGHT);
-/// assert_eq!(default_bulge(toward("down")), Direction::OUT);
-/// ```
-pub fn default_bulge(direction: Heading) -> Direction {
-    let v = direction.vector();
-    let level = DVec3::new(v.x, 0.0, v.z);
-    if v.y.abs() < 0.2 {
-        Direction::UP
-    } else if level.length() < 0.2 {
-        Direction::OUT
-    } else {
-        Direction::nearest(level).unwrap_or(Direction::OUT)
-    }
-}
-
 /// How the hands meet.
-pub(super) fn contact(written: syntax::Contact) -> Contact {
+pub(super) fn contact(written: &syntax::Contact) -> Contact {
     let kind = match written.kind {
         ContactKind::Touches => phonology::ContactKind::Touch,
         ContactKind::CloseTo => phonology::ContactKind::Close,
@@ -382,7 +233,16 @@ pub(super) fn contact(written: syntax::Contact) -> Contact {
         ContactKind::Interlocks => phonology::ContactKind::Interlocked,
         ContactKind::LengthFrom(length) => phonology::ContactKind::Metres(length.metres()),
     };
-    Contact { strong: Some(written.strong), weak: Some(written.weak), kind }
+    Contact { strong: written.strong, weak: written.weak, kind }
+}
+
+/// An orientation as it is meant.
+pub(super) fn orientation(written: &syntax::Orientation) -> Orientation {
+    Orientation {
+        fingers: written.fingers.map(|h| h.value),
+        palm: written.palm.map(|h| h.value),
+        along_path: written.along_path,
+    }
 }
 
 /// Faults for palms along the fingers; what is not stated holds from the value before.

@@ -1,5 +1,6 @@
 //! Text to [`syntax`](super::syntax): line by line, so that a fault spoils one line and no more.
 
+mod becoming;
 pub(crate) mod configuration;
 pub(crate) mod input;
 pub(crate) mod motion;
@@ -8,18 +9,19 @@ pub(crate) mod nonmanual;
 mod orientation;
 pub(crate) mod placement;
 pub(crate) mod recombination;
+mod repetition;
 mod tier;
 mod whole;
 pub(crate) mod words;
 
 use super::lex::{Dialect, Kind, Token, lex, lines};
 use super::suggest::nearest;
-use super::syntax::{Content, File, Ignored, Line, TierLine, Value};
+use super::syntax::{Begins, Content, File, Ignored, Line, OtherHand, TierLine, Value};
 use crate::diagnostics::{Diagnostic, Span, Spanned};
 use crate::phonology::{Channel, Hand};
 use input::{Mistake, Parsed, Tokens, expected, must, told};
 use unicode_normalization::UnicodeNormalization;
-use words::{duration, is_word, text};
+use words::{duration, is_word, keyword, text};
 
 /// The keywords that begin a tier's line, besides the non-manual channels.
 pub(crate) const TIERS: [&str; 13] = [
@@ -53,8 +55,9 @@ pub fn parse(text: &str) -> (File, Vec<Diagnostic>) {
         match lex(raw, offset, Dialect::Sign) {
             Err(fault) => {
                 faults.push(*fault);
-                let begins_sign = raw.split_whitespace().next().is_some_and(|w| w.eq_ignore_ascii_case("sign"));
-                file.lines.push(Line { content: Some(Content::Broken { begins_sign }), comment: None, span });
+                let mut words = raw.split_whitespace();
+                let content = Content::Broken(begins(words.next().unwrap_or(""), words.next().unwrap_or("")));
+                file.lines.push(Line { content: Some(content), comment: None, span });
             }
             Ok(lexed) => {
                 let content = (!lexed.tokens.is_empty()).then(|| content(&lexed.tokens, &mut faults));
@@ -78,7 +81,7 @@ fn content(tokens: &[Token], faults: &mut Vec<Diagnostic>) -> Content {
         Ok(content) => content,
         Err(error) => {
             faults.push(diagnostic(error, input));
-            Content::Broken { begins_sign: is_word(input, "sign") }
+            Content::Broken(begins(input.word(), input.skip().word()))
         }
     }
 }
@@ -100,7 +103,23 @@ pub(crate) fn diagnostic(error: nom::Err<Mistake>, line: Tokens) -> Diagnostic {
     }
 }
 
+/// What a line was to begin, by its first two words.
+fn begins(first: &str, second: &str) -> Begins {
+    if first.eq_ignore_ascii_case("sign") {
+        Begins::Sign
+    } else if (first.eq_ignore_ascii_case("then") && (second.is_empty() || second.eq_ignore_ascii_case("other")))
+        || first.eq_ignore_ascii_case("phase")
+    {
+        Begins::Phase
+    } else {
+        Begins::Line
+    }
+}
+
 fn line<'a>(input: Tokens<'a>) -> Parsed<'a, Content> {
+    if is_word(input, "then") {
+        return phase(input);
+    }
     if is_word(input, "sign") {
         return sign(input);
     }
@@ -122,6 +141,24 @@ fn line<'a>(input: Tokens<'a>) -> Parsed<'a, Content> {
     let from = if hand.is_some() { input.skip() } else { input };
     let (rest, value) = tier(from, hand)?;
     Ok((rest, Content::Tier(TierLine { hand, keyword: Ignored(input.span_to(from.skip())), value })))
+}
+
+/// `then [other hand stays]`
+fn phase<'a>(input: Tokens<'a>) -> Parsed<'a, Content> {
+    let rest = input.skip();
+    if rest.is_empty() {
+        return Ok((rest, Content::Then(OtherHand::Free)));
+    }
+    if is_word(rest, "other") {
+        let (rest, ()) = must(keyword("hand")(rest.skip()))?;
+        let (rest, ()) = must(keyword("stays")(rest))?;
+        return Ok((rest, Content::Then(OtherHand::Stays)));
+    }
+    told(
+        Diagnostic::fault(input.span(), "a line that begins with `then` begins a further phase of the sign")
+            .label("nothing but `other hand stays` stands after it")
+            .hint("values that follow each other stand on one line; the tiers of a phase stand below its `then`"),
+    )
 }
 
 fn sign<'a>(input: Tokens<'a>) -> Parsed<'a, Content> {
@@ -223,7 +260,7 @@ fn meaning<'a>(input: Tokens<'a>) -> Parsed<'a, Vec<(String, String)>> {
 }
 
 /// Words of the field for the tiers that we call otherwise.
-const SYNONYMS: [(&str, &str); 17] = [
+const SYNONYMS: [(&str, &str); 18] = [
     ("handshape", "configuration"),
     ("shape", "configuration"),
     ("handconfig", "configuration"),
@@ -241,6 +278,7 @@ const SYNONYMS: [(&str, &str); 17] = [
     ("body", "torso"),
     ("eyelids", "lids"),
     ("touch", "contact"),
+    ("phase", "then"),
 ];
 
 /// Our word for a word of the field.
@@ -316,7 +354,7 @@ fn leftover<'a, T>(rest: Tokens<'a>, tier: &str) -> Parsed<'a, T> {
         }
         (Kind::Word, "hands") => fault.hint("write `one`, `weak`, `both`, or `both mirrored` or `both parallel` with up-down, out-in, alternating, crossed"),
         (Kind::Text, "meaning") => fault.hint("meanings are separated by commas: `en \"bowl\", fr \"bol\"`"),
-        _ => match nearest(&word, ["then", "while", "at", "to", "brushing", "repeated", "continued", "fast", "slow", "duration"]) {
+        _ => match nearest(&word, ["then", "while", "at", "to", "brushing", "repeated", "continued", "fast", "slow", "duration", "speed", "becoming", "named", "moving"]) {
             Some(near) if near != word => fault.hint(format!("did you mean `{near}`?")),
             _ => fault,
         },
@@ -346,6 +384,11 @@ fn unknown_after_comma<'a, T>(at: Tokens<'a>) -> Parsed<'a, T> {
         "alternating",
         "zigzag",
         "wavy",
+        "speed",
+        "becoming",
+        "named",
+        "bouncing",
+        "moving",
     ];
     told(match nearest(word, known) {
         Some(near) => fault.hint(format!("did you mean `{near}`?")),

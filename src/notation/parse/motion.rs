@@ -10,7 +10,7 @@ use crate::diagnostics::{Diagnostic, Spanned};
 use crate::notation::lex::Kind;
 use crate::notation::suggest::nearest;
 use crate::notation::syntax::{Extent, Motion};
-use crate::phonology::{Clock, Direction, Overlay, Size, WristMotion};
+use crate::phonology::{Clock, Direction, Heading, Overlay, Size, WristMotion};
 
 /// The words that a movement can begin with, besides directions.
 const MOTIONS: [&str; 17] = [
@@ -128,7 +128,7 @@ fn wrist<'a>(input: Tokens<'a>) -> Parsed<'a, WristMotion> {
 }
 
 /// `small` or `large`, unless it belongs to `bend`.
-fn size(input: Tokens) -> (Tokens, Size) {
+pub(crate) fn size(input: Tokens) -> (Tokens, Size) {
     if is_word(input.skip(), "bend") {
         return (input, Size::Normal);
     }
@@ -152,25 +152,32 @@ fn extent<'a>(input: Tokens<'a>) -> Parsed<'a, Extent> {
     }
 }
 
-fn overlay(input: Tokens) -> (Tokens, Option<Overlay>) {
+/// `zigzag|wavy [SIZE] [across DIR] [growing|shrinking [N]]`, or nothing.
+fn overlay<'a>(input: Tokens<'a>) -> Parsed<'a, Option<Overlay>> {
     let from = if input.is(Kind::Comma) { input.skip() } else { input };
     let zigzag = is_word(from, "zigzag");
     if !zigzag && !is_word(from, "wavy") {
-        return (input, None);
+        return Ok((input, None));
     }
     let (rest, size) = size(from.skip());
-    (rest, Some(Overlay::new(zigzag, size)))
+    let (rest, across) = if is_word(rest, "across") {
+        must_direction(rest.skip()).map(|(rest, way)| (rest, Some(way)))?
+    } else {
+        (rest, None)
+    };
+    let (rest, growth) = sign_of_growth(rest)?;
+    Ok((rest, Some(Overlay { zigzag, size, across, growth })))
 }
 
-/// `HEADING [EXTENT] [zigzag|wavy [SIZE]]`
+/// `HEADING [EXTENT] [WAVES]`
 fn straight<'a>(input: Tokens<'a>) -> Parsed<'a, Motion> {
     let (rest, direction) = must_heading(input)?;
     let (rest, extent) = extent(rest)?;
-    let (rest, overlay) = overlay(rest);
+    let (rest, overlay) = overlay(rest)?;
     Ok((rest, Motion::Straight { direction, extent, overlay }))
 }
 
-/// `arc HEADING [EXTENT] [bulging DIR] [small bend|large bend] [zigzag|wavy [SIZE]]`
+/// `arc HEADING [EXTENT] [bulging HEADING] [small bend|large bend] [WAVES]`
 fn arc<'a>(input: Tokens<'a>) -> Parsed<'a, Motion> {
     let (rest, direction) = match heading(input.skip()) {
         Err(nom::Err::Error(_)) if input.skip().word().is_empty() => {
@@ -185,7 +192,7 @@ fn arc<'a>(input: Tokens<'a>) -> Parsed<'a, Motion> {
     };
     let (rest, extent) = extent(rest)?;
     let (rest, bulge) = if is_word(rest, "bulging") {
-        let (after, bulge) = must_direction(rest.skip())?;
+        let (after, bulge) = must_heading(rest.skip())?;
         if bulge.vector().cross(direction.vector()).length() < 0.2 {
             return told(
                 Diagnostic::fault(rest.span_to(after), format!("an arc {direction} cannot bulge {bulge}"))
@@ -204,7 +211,7 @@ fn arc<'a>(input: Tokens<'a>) -> Parsed<'a, Motion> {
     } else {
         (rest, Size::Normal)
     };
-    let (rest, overlay) = overlay(rest);
+    let (rest, overlay) = overlay(rest)?;
     Ok((rest, Motion::Arc { direction, extent, bulge, depth, overlay }))
 }
 
@@ -217,7 +224,7 @@ pub(crate) fn size_name(size: Size) -> &'static str {
     }
 }
 
-/// `circle axis DIR [radius EXTENT] [from CLOCK] [turns N] [flattened N along DIR] [growing|shrinking [N]]`
+/// `circle axis HEADING [radius EXTENT] [from CLOCK] [turns N] [flattened N along DIR] [growing|shrinking [N]] [WAVES]`
 fn circle<'a>(input: Tokens<'a>) -> Parsed<'a, Motion> {
     if !is_word(input, "axis") {
         let fault =
@@ -227,7 +234,7 @@ fn circle<'a>(input: Tokens<'a>) -> Parsed<'a, Motion> {
             Err(_) => fault.hint("write `circle axis out`: clockwise for one who looks along the axis"),
         });
     }
-    let (rest, axis) = must_direction(input.skip())?;
+    let (rest, axis) = must_heading(input.skip())?;
     let (rest, extent) = radius(rest)?;
     let (rest, start) = match keyword("from")(rest) {
         Ok((rest, ())) => clock(rest)?,
@@ -236,7 +243,8 @@ fn circle<'a>(input: Tokens<'a>) -> Parsed<'a, Motion> {
     let (rest, turns) = turns(rest)?;
     let (rest, ellipse) = flattened(rest, axis)?;
     let (rest, growth) = sign_of_growth(rest)?;
-    Ok((rest, Motion::Circle { axis, extent, start, turns, ellipse, growth }))
+    let (rest, overlay) = overlay(rest)?;
+    Ok((rest, Motion::Circle { axis, extent, start, turns, ellipse, growth, overlay }))
 }
 
 fn radius<'a>(input: Tokens<'a>) -> Parsed<'a, Extent> {
@@ -284,7 +292,7 @@ fn turns<'a>(input: Tokens<'a>) -> Parsed<'a, f64> {
     )
 }
 
-fn flattened<'a>(input: Tokens<'a>, axis: Direction) -> Parsed<'a, Option<(f64, Direction)>> {
+fn flattened<'a>(input: Tokens<'a>, axis: Heading) -> Parsed<'a, Option<(f64, Direction)>> {
     if !is_word(input, "flattened") {
         return Ok((input, None));
     }

@@ -1,18 +1,19 @@
 //! Movements: steps joined by `then`, simultaneous ones by `while`, groups in brackets.
 
+use super::becoming::becoming;
 use super::input::{Parsed, Tokens, expected, must, told};
-use super::motion::{motion, sign_of_growth};
+use super::motion::motion;
 use super::placement::placement;
-use super::words::{count, duration, is_word, mark};
+use super::repetition::repetition;
+use super::whole::speed;
+use super::words::{closed, duration, is_word, text};
 use crate::diagnostics::Diagnostic;
 use crate::notation::lex::Kind;
-use crate::notation::syntax::{Action, Motion, Movement};
-use crate::phonology::{Manner, Repetition, RepetitionKind};
+use crate::notation::syntax::{Action, Motion, Movement, Repeated};
+use crate::phonology::Manner;
 
 /// How deep groups may nest.
 const DEEPEST: usize = 32;
-/// How often a movement may repeat.
-const MOST_TIMES: u16 = 50;
 
 /// `STEP { then STEP }`: one an interval.
 pub(crate) fn movements<'a>(input: Tokens<'a>) -> Parsed<'a, Vec<Movement>> {
@@ -61,17 +62,7 @@ fn primary<'a>(input: Tokens<'a>, depth: usize) -> Parsed<'a, Movement> {
         return action(input).map(|(rest, action)| (rest, Movement::Action(Box::new(action))));
     }
     let (rest, mut parts) = steps(open.skip(), depth + 1)?;
-    let (rest, ()) = match mark(Kind::Close, "a closing bracket")(rest) {
-        Ok(closed) => closed,
-        Err(_) if rest.is_empty() => {
-            return told(
-                Diagnostic::fault(open.span(), "this bracket is not closed")
-                    .label("opened here")
-                    .hint("add `)` after the last movement of the group"),
-            );
-        }
-        Err(_) => return super::leftover(rest, "movement"),
-    };
+    let (rest, ()) = closed(open, rest, "movement", "add `)` after the last movement of the group")?;
     if fused && parts.len() < 2 {
         return told(
             Diagnostic::fault(input.span_to(rest), "one movement alone cannot be fused")
@@ -88,30 +79,34 @@ fn primary<'a>(input: Tokens<'a>, depth: usize) -> Parsed<'a, Movement> {
         None => return expected(rest, "a movement"),
     };
     let group = if backwards { Movement::Backwards(Box::new(group)) } else { group };
-    match repetition(if rest.is(Kind::Comma) { rest.skip() } else { rest }) {
-        Ok((after, repetition)) => Ok((after, Movement::Repeated(Box::new(group), repetition))),
-        Err(nom::Err::Error(_)) => Ok((rest, group)),
-        Err(other) => Err(other),
-    }
+    again(rest, group)
+}
+
+/// How often a group is performed, where that is said.
+fn again<'a>(rest: Tokens<'a>, group: Movement) -> Parsed<'a, Movement> {
+    let (after, repetition) = match repetition(past_comma(rest)) {
+        Ok(found) => found,
+        Err(nom::Err::Error(_)) => return Ok((rest, group)),
+        Err(other) => return Err(other),
+    };
+    let turns = past_comma(after);
+    let alternating = is_word(turns, "alternating");
+    let rest = if alternating { turns.skip() } else { after };
+    Ok((rest, Movement::Repeated(Box::new(Repeated { movement: group, repetition, alternating }))))
+}
+
+fn past_comma(input: Tokens) -> Tokens {
+    if input.is(Kind::Comma) { input.skip() } else { input }
 }
 
 /// A motion and what is said of it; commas between are free.
 fn action<'a>(input: Tokens<'a>) -> Parsed<'a, Action> {
     let (rest, motion) =
         if is_word(input, "to") && !is_word(input.skip(), "and") { (input, Motion::Change) } else { motion(input)? };
-    let mut action = Action {
-        motion,
-        target: None,
-        brushing: None,
-        manner: Vec::new(),
-        repetition: None,
-        duration: None,
-        alternating: false,
-    };
+    let mut action = Action::new(motion);
     let mut rest = rest;
     loop {
-        let from = if rest.is(Kind::Comma) { rest.skip() } else { rest };
-        match modifier(from, &mut action) {
+        match modifier(past_comma(rest), &mut action) {
             Ok((after, ())) => rest = after,
             Err(nom::Err::Error(_)) => return Ok((rest, action)),
             Err(other) => return Err(other),
@@ -148,6 +143,18 @@ fn modifier<'a>(input: Tokens<'a>, action: &mut Action) -> Parsed<'a, ()> {
         let (rest, long) = must(duration(input.skip()))?;
         return set(&mut action.duration, long, input, rest);
     }
+    if is_word(input, "speed") {
+        let (rest, pace) = must(speed(input.skip()))?;
+        return set(&mut action.pace, pace, input, rest);
+    }
+    if is_word(input, "becoming") {
+        let (rest, becoming) = must(becoming(input.skip()))?;
+        return set(&mut action.becoming, Box::new(becoming), input, rest);
+    }
+    if is_word(input, "named") {
+        let (rest, name) = must(text(input.skip()))?;
+        return set(&mut action.names, name, input, rest);
+    }
     if is_word(input, "alternating") {
         if action.alternating {
             return twice(input, input.skip());
@@ -173,47 +180,4 @@ fn twice<'a, T>(start: Tokens<'a>, rest: Tokens<'a>) -> Parsed<'a, T> {
             .label("the second")
             .hint("movements that follow each other are joined by `then`"),
     )
-}
-
-/// `repeated 3 [growing|shrinking [n]]`, `continued 2`, `to and fro 2`.
-fn repetition<'a>(input: Tokens<'a>) -> Parsed<'a, Repetition> {
-    let (rest, kind) = if is_word(input, "repeated") {
-        (input.skip(), RepetitionKind::FromStart)
-    } else if is_word(input, "continued") {
-        (input.skip(), RepetitionKind::Continue)
-    } else if is_word(input, "to") && is_word(input.skip(), "and") && is_word(input.skip_n(2), "fro") {
-        (input.skip_n(3), RepetitionKind::ToAndFro)
-    } else {
-        return expected(input, "a repetition");
-    };
-    let (after, times) = times(rest, if kind == RepetitionKind::ToAndFro { "to and fro" } else { input.word() })?;
-    let (after, growth) = sign_of_growth(after)?;
-    Ok((after, Repetition { kind, times, growth, shift: None }))
-}
-
-/// How often in all: `2`, `twice`, `several`.
-pub(crate) fn times<'a>(rest: Tokens<'a>, what: &str) -> Parsed<'a, u8> {
-    let words = [("twice", 2), ("several", 3), ("thrice", 3), ("once", 1)];
-    let (after, times) = match words.iter().find(|(w, _)| is_word(rest, w)) {
-        Some((_, n)) => (rest.skip(), *n),
-        None => match count(rest, MOST_TIMES) {
-            Err(nom::Err::Error(_)) => {
-                return told(
-                    Diagnostic::fault(rest.span(), format!("`{what}` how often?"))
-                        .label("a number is missing")
-                        .hint(format!("`{what} 2` is two performances in all")),
-                );
-            }
-            other => other?,
-        },
-    };
-    if times < 2 {
-        return told(
-            Diagnostic::fault(rest.span_to(after), "a movement performed once is not repeated")
-                .label("from 2")
-                .hint("the number counts performances in all: `repeated 2` is once and once again"),
-        );
-    }
-    // At most `MOST_TIMES`: checked above.
-    Ok((after, times as u8))
 }

@@ -6,7 +6,7 @@ use crate::diagnostics::{Diagnostic, Spanned};
 use crate::notation::lex::Kind;
 use crate::notation::suggest::nearest;
 use crate::notation::syntax::{Contact, ContactKind, Orientation};
-use crate::phonology::{Hands, Relation, Symmetry};
+use crate::phonology::{HandPoint, Hands, Relation, Symmetry};
 
 /// `fingers HEADING, palm HEADING, along path`, in any order, each at most once.
 pub(crate) fn orientation<'a>(input: Tokens<'a>) -> Parsed<'a, Orientation> {
@@ -65,15 +65,32 @@ fn no_part<'a, T>(at: Tokens<'a>) -> Parsed<'a, T> {
     })
 }
 
-/// `strong POINT touches|close to|crosses|interlocks|3cm from weak POINT`
+/// `strong POINT|hand touches|close to|crosses|interlocks|3cm from weak POINT|hand`
 pub(crate) fn contact<'a>(input: Tokens<'a>) -> Parsed<'a, Contact> {
+    if let Ok((after, _)) = contact_kind(input) {
+        let words = input.all().iter().map(|t| t.text).take(input.all().len() - after.all().len());
+        let meets = words.collect::<Vec<_>>().join(" ");
+        return told(
+            Diagnostic::fault(input.span(), "which parts of the hands meet?")
+                .label("the strong hand stands before it")
+                .hint(format!("write `strong hand {meets} weak hand` where no part is to be named")),
+        );
+    }
     let (rest, ()) =
         keyword("strong")(input).or_else(|_: nom::Err<_>| expected(input, "`strong` and a point of the hand"))?;
-    let (rest, strong) = must(hand_point(rest))?;
+    let (rest, strong) = must(meeting(rest))?;
     let (rest, kind) = must(contact_kind(rest))?;
     let (rest, ()) = must(keyword("weak")(rest))?;
-    let (rest, weak) = must(hand_point(rest))?;
+    let (rest, weak) = must(meeting(rest))?;
     Ok((rest, Contact { strong, kind, weak }))
+}
+
+/// A point of the hand; `hand` names none.
+fn meeting<'a>(input: Tokens<'a>) -> Parsed<'a, Option<HandPoint>> {
+    if is_word(input, "hand") {
+        return Ok((input.skip(), None));
+    }
+    hand_point(input).map(|(rest, point)| (rest, Some(point)))
 }
 
 fn contact_kind<'a>(input: Tokens<'a>) -> Parsed<'a, ContactKind> {

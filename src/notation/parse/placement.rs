@@ -2,16 +2,16 @@
 
 use super::input::{Parsed, Tokens, expected, must, told};
 use super::words::{
-    direction, hand_point, is_one_of, is_word, keyword, length, mark, must_direction, name, number, text,
+    direction, hand_point, is_one_of, is_percentage, is_word, keyword, length, mark, must_direction, name, number, text,
 };
 use crate::diagnostics::Diagnostic;
 use crate::notation::lex::Kind;
 use crate::notation::suggest::nearest;
-use crate::notation::syntax::{Distance, Place, Placement};
+use crate::notation::syntax::{Distance, Place, Placement, Sited};
 use crate::phonology::{Side, Space};
 
 /// Words that end the name of a place: what joins values, and what is said of a movement or a gaze; its side.
-pub(crate) const STOPS: [&str; 22] = [
+pub(crate) const STOPS: [&str; 29] = [
     "then",
     "at",
     "and",
@@ -23,12 +23,19 @@ pub(crate) const STOPS: [&str; 22] = [
     "tense",
     "rest",
     "halt",
+    "bouncing",
+    "toward-pinky",
+    "toward-thumb",
     "repeated",
     "continued",
     "growing",
     "shrinking",
     "duration",
     "alternating",
+    "speed",
+    "becoming",
+    "named",
+    "moving",
     "slight",
     "strong",
     "forced",
@@ -52,11 +59,7 @@ pub(crate) fn placement<'a>(input: Tokens<'a>) -> Parsed<'a, Placement> {
     let from = if beside { rest.skip() } else { rest };
     let (rest, (place, side)) = sided_place(from)?;
     if beside && side.is_none() {
-        return told(
-            Diagnostic::fault(input.span_to(rest), "beside which side of the place?")
-                .label("a side is missing")
-                .hint("write `beside left ear` or `beside forehead right`"),
-        );
+        return beside_which(input, rest);
     }
     let mut placement =
         Placement { behind, place, side: side.map(|side| (side, beside)), distance: None, with: None, offset: None };
@@ -115,10 +118,7 @@ pub(crate) fn place<'a>(input: Tokens<'a>, depth: usize) -> Parsed<'a, Place> {
         return Ok((rest, inner));
     }
     if is_word(input, "between") {
-        let (rest, a) = must(place(input.skip(), depth + 1))?;
-        let (rest, ()) = must(keyword("and")(rest))?;
-        let (rest, b) = must(place(rest, depth + 1))?;
-        return Ok((rest, Place::Between(Box::new(a), Box::new(b))));
+        return between(input.skip(), depth + 1);
     }
     if is_word(input, "other") {
         let from = if is_word(input.skip(), "hand") { input.skip_n(2) } else { input.skip() };
@@ -141,6 +141,41 @@ pub(crate) fn place<'a>(input: Tokens<'a>, depth: usize) -> Parsed<'a, Place> {
         return Ok((rest, Place::Referent(name)));
     }
     named(input)
+}
+
+/// `SIDED and SIDED`. A side behind the second place is that of the whole.
+fn between<'a>(input: Tokens<'a>, depth: usize) -> Parsed<'a, Place> {
+    let (rest, a) = must(sided(input, depth))?;
+    if side(rest).is_some() {
+        return told(
+            Diagnostic::fault(rest.span(), "inside `between` a side stands before its place")
+                .label("here")
+                .hint("write for example `between right shoulders and chest`"),
+        );
+    }
+    let (rest, ()) = must(keyword("and")(rest))?;
+    let (rest, b) = must(sided(rest, depth))?;
+    Ok((rest, Place::Between(Box::new(a), Box::new(b))))
+}
+
+/// `[[beside] SIDE] PLACE`
+fn sided<'a>(input: Tokens<'a>, depth: usize) -> Parsed<'a, Sited> {
+    let beside = is_word(input, "beside");
+    let from = without_the(if beside { input.skip() } else { input });
+    let found = side(from);
+    if beside && found.is_none() {
+        return beside_which(input, from);
+    }
+    let (rest, place) = place(if found.is_some() { from.skip() } else { from }, depth)?;
+    Ok((rest, Sited { place, side: found.map(|side| (side, beside)) }))
+}
+
+fn beside_which<'a, T>(start: Tokens<'a>, rest: Tokens<'a>) -> Parsed<'a, T> {
+    told(
+        Diagnostic::fault(start.span_to(rest), "beside which side of the place?")
+            .label("a side is missing")
+            .hint("write `beside left ear` or `beside forehead right`"),
+    )
 }
 
 fn named<'a>(input: Tokens<'a>) -> Parsed<'a, Place> {
@@ -257,6 +292,10 @@ fn distance<'a>(input: Tokens<'a>) -> Parsed<'a, Distance> {
     if let Some((_, distance)) = named.iter().find(|(word, _)| is_word(from, word)) {
         let rest = from.skip();
         return Ok((if is_word(rest, "distance") { rest.skip() } else { rest }, *distance));
+    }
+    // What a gaze at a place is said with: `, 60%`.
+    if is_percentage(input.word()) {
+        return expected(input, "`touch` or a distance");
     }
     if input.word().starts_with(|c: char| c.is_ascii_digit() || c == '-') {
         let (rest, far) = must(length(input))?;

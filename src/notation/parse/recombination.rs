@@ -7,10 +7,11 @@ use super::configuration::configuration;
 use super::input::{Parsed, Tokens, expected, must, told};
 use super::leftover;
 use super::motion::sign_of_growth;
-use super::movement::{movements, times};
+use super::movement::movements;
 use super::nonmanual::nonmanual;
 use super::orientation::orientation;
 use super::placement::{place, placement, point};
+use super::repetition::times;
 use super::whole::{relocation, speed};
 use super::words::{duration, is_one_of, is_word, keyword, mark, number, text};
 use crate::diagnostics::{Diagnostic, Spanned};
@@ -25,6 +26,8 @@ use unicode_normalization::UnicodeNormalization;
 const ALONE: [&str; 8] = ["inverted", "mirrored", "swapped", "reflected", "fast", "slow", "big", "small"];
 /// Operators that something follows.
 const WITH_MORE: [&str; 5] = ["repeated", "with", "at", "speed", "size"];
+/// Operators that are words of a movement too, and its own where they follow it.
+pub(crate) const KEPT_BY_MOVEMENTS: [&str; 5] = ["repeated", "fast", "slow", "small", "speed"];
 /// Words that begin a base that is no name.
 pub(crate) const HEADS: [&str; 3] = ["spelled", "pointing", "wrist"];
 /// How deep brackets may nest.
@@ -199,7 +202,7 @@ fn up_to_operator<'a>(input: Tokens<'a>, kept: &[&str], many: Many) -> (Tokens<'
             Kind::Word | Kind::Text | Kind::Comma | Kind::Equals | Kind::Mark(_) => {}
         }
         n += 1;
-        open = is_one_of(rest.word(), &["then", "pointing"]);
+        open = is_one_of(rest.word(), &["then", "pointing", "between", "and"]);
         rest = rest.skip();
     }
     let comma = n > 1 && input.skip_n(n - 1).is(Kind::Comma) && !rest.is_empty() && begins_operator(rest);
@@ -273,7 +276,7 @@ fn with<'a>(input: Tokens<'a>) -> Parsed<'a, Operator> {
         "placement" => values(rest, placement, |v| Operator::Placement(hand, v)),
         "orientation" => values(rest, orientation, |v| Operator::Orientation(hand, v)),
         "movement" => {
-            let kept = ["repeated", "fast", "slow", "small"];
+            let kept = KEPT_BY_MOVEMENTS;
             let (cut, after) = up_to_operator(rest, &kept, Many::Several);
             let (left, all) = movements(cut)?;
             if left.is_empty() { Ok((after, Operator::Movement(hand, all))) } else { leftover(left, "movement") }

@@ -41,7 +41,24 @@ pub(crate) fn text<'a>(input: Tokens<'a>) -> Parsed<'a, String> {
     }
 }
 
-/// A name: a text in quotes, or words up to a mark or a word of `stops`.
+/// A bracket closed where `rest` begins; `open` is where it opened.
+pub(crate) fn closed<'a>(open: Tokens<'a>, rest: Tokens<'a>, tier: &str, hint: &str) -> Parsed<'a, ()> {
+    if rest.is(Kind::Close) {
+        return Ok((rest.skip(), ()));
+    }
+    if rest.is_empty() {
+        let fault = Diagnostic::fault(open.span(), "this bracket is not closed").label("opened here");
+        return told(fault.hint(hint));
+    }
+    super::leftover(rest, tier)
+}
+
+/// Whether a word is a percentage: `60%`.
+pub(crate) fn is_percentage(word: &str) -> bool {
+    word.ends_with('%') && word.starts_with(|c: char| c.is_ascii_digit())
+}
+
+/// A name: a text in quotes, or words up to a mark, a word of `stops` or a percentage.
 pub(crate) fn name<'a>(input: Tokens<'a>, stops: &[&str], what: &'static str) -> Parsed<'a, Spanned<String>> {
     if input.is(Kind::Text) {
         let (rest, value) = text(input)?;
@@ -49,7 +66,7 @@ pub(crate) fn name<'a>(input: Tokens<'a>, stops: &[&str], what: &'static str) ->
     }
     let mut rest = input;
     let mut value = String::new();
-    while rest.is(Kind::Word) && !is_one_of(rest.word(), stops) {
+    while rest.is(Kind::Word) && !is_one_of(rest.word(), stops) && !is_percentage(rest.word()) {
         if !value.is_empty() {
             value.push(' ');
         }
@@ -314,8 +331,25 @@ impl<'a, T, P: nom::Parser<Tokens<'a>, Output = T, Error = super::input::Mistake
     }
 }
 
-/// A point of a hand or an arm: `index tip`, `radial index side`, `palm`.
+/// A point of a hand or an arm, or halfway between two: `index tip`, `index tip to index midjoint`.
 pub(crate) fn hand_point<'a>(input: Tokens<'a>) -> Parsed<'a, HandPoint> {
+    let (rest, first) = spot(input)?;
+    if !is_word(rest, "to") || !begins_spot(rest.skip()) {
+        return Ok((rest, first));
+    }
+    let (rest, second) = spot(rest.skip())?;
+    Ok((rest, first.halfway(second)))
+}
+
+/// Whether a part of the hand is named here, so that a `to` before it does not lead to a place.
+fn begins_spot(input: Tokens) -> bool {
+    let parts = HandPart::all().map(HandPart::name);
+    let mut known = parts.chain(Digit::ALL.map(Digit::name)).chain(Flank::ALL.map(Flank::name)).chain(["fingers"]);
+    known.any(|word| is_word(input, word))
+}
+
+/// One named point: `index tip`, `radial index side`, `palm`.
+fn spot<'a>(input: Tokens<'a>) -> Parsed<'a, HandPoint> {
     let (rest, flank) = match choice(input, &Flank::ALL, Flank::name, "a face") {
         Ok((rest, flank)) => (rest, Some(flank)),
         Err(_) => (input, None),

@@ -1,10 +1,11 @@
 //! Signs made from others as text.
 
+use super::movement::movements;
 use super::sign_name;
-use super::words::{configuration, duration, growth, movements, nonmanual, orientation, place, placement, relocation};
+use super::words::{configuration, duration, growth, nonmanual, orientation, place, placement, relocation};
 use crate::notation::lex::quote;
-use crate::notation::parse::recombination::HEADS;
-use crate::notation::syntax::{Base, Expression, Operator};
+use crate::notation::parse::recombination::{HEADS, KEPT_BY_MOVEMENTS};
+use crate::notation::syntax::{Base, Expression, NonManual, Operator};
 use crate::phonology::Hand;
 use crate::phonology::operator::{BIG, FAST, SLOW, SMALL};
 
@@ -30,7 +31,7 @@ pub(crate) fn expression(made: &Expression) -> String {
         let word = operator(one);
         let before = i.checked_sub(1).map(|before| &made.operators[before]);
         // A movement would take these words for its own.
-        let of_movement = ["repeated", "fast", "slow", "small"].iter().any(|w| word.starts_with(w));
+        let of_movement = KEPT_BY_MOVEMENTS.iter().any(|w| word.starts_with(w));
         if of_movement && matches!(before, Some(Operator::Movement(..))) {
             text = format!("( {text} )");
             text.push(' ');
@@ -94,6 +95,11 @@ fn values(operator: &Operator) -> bool {
     }
 }
 
+/// A non-manual value; its own speed in brackets, so that it is not the sign's.
+fn paced(v: &NonManual) -> String {
+    if v.pace.is_some() { format!("( {} )", nonmanual(v)) } else { nonmanual(v) }
+}
+
 fn operator(operator: &Operator) -> String {
     let with = |hand: &Option<Hand>, tier: &str, values: String| {
         let hand = match hand {
@@ -120,7 +126,7 @@ fn operator(operator: &Operator) -> String {
         Operator::Orientation(hand, v) => with(hand, "orientation", all(v, orientation)),
         Operator::Placement(hand, v) => with(hand, "placement", all(v, placement)),
         Operator::Movement(hand, v) => with(hand, "movement", movements(v)),
-        Operator::NonManual(channel, v) => with(&None, channel.name(), all(v, nonmanual)),
+        Operator::NonManual(channel, v) => with(&None, channel.name(), all(v, paced)),
         Operator::At(to) => format!("at {}", relocation(to)),
         Operator::Speed(factor) if *factor == FAST => "fast".into(),
         Operator::Speed(factor) if *factor == SLOW => "slow".into(),

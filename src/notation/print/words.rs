@@ -2,15 +2,13 @@
 
 use crate::notation::lex::{gloss_mark, quote};
 use crate::notation::lower::NAME_STOPS;
-use crate::notation::parse::motion::{CLOCK, size_name};
+use crate::notation::parse::words::is_percentage;
 use crate::notation::parse::{nonmanual, placement};
 use crate::notation::syntax::{
-    Action, Attested, Configuration, Contact, ContactKind, Distance, Duration, Extent, Key, Length, Motion, Movement,
-    NonManual, NonManualWhat, Orientation, Place, Placement, Relocation, Values,
+    Attested, Configuration, Contact, ContactKind, Distance, Duration, Key, Length, NonManual, NonManualWhat,
+    Orientation, Place, Placement, Relocation, Sited, Values,
 };
-use crate::phonology::{
-    Amount, Digits, Forced, Hands, HandshapeChange, Overlay, Relation, Repetition, RepetitionKind, Side, Size, Space,
-};
+use crate::phonology::{Amount, Digits, Forced, HandPoint, Hands, HandshapeChange, Relation, Side, Space};
 use std::fmt;
 
 /// A name without quotes where it reads back as itself: no mark in it, no word that ends or begins something else.
@@ -23,6 +21,7 @@ pub(crate) fn bare(name: &str, stops: &[&str], heads: &[&str]) -> String {
             // Names read back in gloss lines too, which have more marks.
             && !w.char_indices().any(|(i, _)| gloss_mark(&w[i..]).is_some())
             && !is(w, stops)
+            && !is_percentage(w)
     };
     let first = name.split(' ').next().unwrap_or_default();
     if name.split(' ').all(word) && !is(first, heads) { name.to_owned() } else { quote(name) }
@@ -48,11 +47,21 @@ pub(super) fn values<T>(all: &Values<T>, value: impl Fn(&T) -> String) -> String
 
 pub(super) fn configuration(v: &Configuration) -> String {
     let name = |n: &str| bare(n, &NAME_STOPS, &["between"]);
-    let mut text = match &v.between {
-        None => name(&v.base.value),
-        Some(second) => format!("between {} and {}", name(&v.base.value), name(&second.value)),
+    let mixed = |n: &str, own: &[HandshapeChange]| match own {
+        [] => name(n),
+        own => format!("( {}{} )", name(n), changes(own)),
     };
-    for change in &v.changes {
+    let text = match &v.between {
+        None => name(&v.base.value),
+        Some(b) => format!("between {} and {}", mixed(&v.base.value, &b.first), mixed(&b.second.value, &b.changes)),
+    };
+    text + &changes(&v.changes)
+}
+
+/// Changes, each with a comma before it.
+fn changes(all: &[HandshapeChange]) -> String {
+    let mut text = String::new();
+    for change in all {
         text.push_str(", ");
         text.push_str(&match *change {
             HandshapeChange::Thumb(position) => format!("thumb {}", position.name()),
@@ -66,9 +75,9 @@ pub(super) fn configuration(v: &Configuration) -> String {
             HandshapeChange::Except(fingers) => format!("except {}", digits(fingers)),
             HandshapeChange::Opening(opening) => opening.name().to_owned(),
             HandshapeChange::Meet(digit, part, other) => {
-                format!("{} at {} {}", digit.name(), other.name(), part.name())
+                format!("{} touching {} {}", digit.name(), other.name(), part.name())
             }
-            HandshapeChange::ThumbAt(part) => format!("thumb at {}", part.name()),
+            HandshapeChange::ThumbAt(part) => format!("thumb touching {}", part.name()),
             HandshapeChange::Joints(fingers, [a, b, c]) if fingers.is_empty() => format!("joints {a} {b} {c}"),
             HandshapeChange::Joints(fingers, [a, b, c]) => format!("{} joints {a} {b} {c}", digits(fingers)),
         });
@@ -76,7 +85,7 @@ pub(super) fn configuration(v: &Configuration) -> String {
     text
 }
 
-fn digits(fingers: Digits) -> String {
+pub(super) fn digits(fingers: Digits) -> String {
     if fingers == Digits::FINGERS {
         return "fingers".to_owned();
     }
@@ -101,14 +110,24 @@ pub(super) fn place(v: &Place) -> String {
         }
         Place::Point([x, y, z]) => format!("point {x} {y} {z}"),
         Place::Between(a, b) => {
-            let part = |p: &Place| match p {
-                Place::Between(..) | Place::Towards(_) => format!("({})", place(p)),
-                other => place(other),
-            };
-            format!("between {} and {}", part(a), part(b))
+            format!("between {} and {}", sited(a), sited(b))
         }
         Place::Referent(name) => format!("referent {}", quote(name)),
         Place::Towards(at) => format!("pointing at {}", place(at)),
+    }
+}
+
+fn sited(v: &Sited) -> String {
+    let name = match &v.place {
+        Place::Between(..) | Place::Towards(_) => format!("({})", place(&v.place)),
+        Place::Named(_) | Place::OtherHand(_) | Place::Space(_) | Place::Point(_) | Place::Referent(_) => {
+            place(&v.place)
+        }
+    };
+    match v.side {
+        None => name,
+        Some((s, true)) => format!("beside {} {name}", side(s)),
+        Some((s, false)) => format!("{} {name}", side(s)),
     }
 }
 
@@ -187,7 +206,8 @@ pub(super) fn contact(v: &Contact) -> String {
         ContactKind::Interlocks => "interlocks".to_owned(),
         ContactKind::LengthFrom(far) => format!("{far} from"),
     };
-    format!("strong {} {kind} weak {}", v.strong, v.weak)
+    let point = |of: Option<HandPoint>| of.map_or_else(|| "hand".to_owned(), |point| point.to_string());
+    format!("strong {} {kind} weak {}", point(v.strong), point(v.weak))
 }
 
 pub(super) fn hands(v: Hands) -> String {
@@ -210,6 +230,8 @@ pub(crate) fn nonmanual(v: &NonManual) -> String {
         NonManualWhat::Towards(heading) => (format!("towards {heading}"), ""),
         NonManualWhat::At(place) => (format!("at {}", placement(place)), ","),
         NonManualWhat::Mouthing(sounds) => (format!("mouthing {}", quote(sounds)), ""),
+        NonManualWhat::Sequence(parts) => (group(parts, " then "), ""),
+        NonManualWhat::Together(parts) => (group(parts, " while "), ""),
     };
     match v.amount {
         Amount::Slight => text.push_str(&format!("{comma} slight")),
@@ -217,119 +239,15 @@ pub(crate) fn nonmanual(v: &NonManual) -> String {
         Amount::Strong => text.push_str(&format!("{comma} strong")),
         Amount::Percent(percent) => text.push_str(&format!("{comma} {percent}%")),
     }
-    text
-}
-
-/// Movements of the intervals, joined by `then`.
-pub(super) fn movements(all: &[Movement]) -> String {
-    let all: Vec<String> = all.iter().map(movement_text).collect();
-    all.join(" then ")
-}
-
-/// One movement as text.
-pub fn movement_text(v: &Movement) -> String {
-    match v {
-        Movement::Action(action) => action_text(action),
-        Movement::Group { fused, parts } => format!("{}( {} )", if *fused { "fused " } else { "" }, movements(parts)),
-        Movement::Backwards(inner) => match &**inner {
-            Movement::Group { fused: false, .. } => format!("backwards {}", movement_text(inner)),
-            other => format!("backwards ( {} )", movement_text(other)),
-        },
-        Movement::Together(parts) => {
-            let parts: Vec<String> = parts
-                .iter()
-                .map(|p| match p {
-                    Movement::Together(_) => format!("( {} )", movement_text(p)),
-                    other => movement_text(other),
-                })
-                .collect();
-            parts.join(" while ")
-        }
-        Movement::Repeated(group, repetition) => {
-            let inside = match &**group {
-                Movement::Group { fused: false, .. } => movement_text(group),
-                other => format!("( {} )", movement_text(other)),
-            };
-            format!("{inside} {}", repetition_text(*repetition))
-        }
-    }
-}
-
-fn action_text(v: &Action) -> String {
-    let mut text = match (&v.motion, &v.target) {
-        (Motion::Change, Some(place)) => format!("to {}", placement(place)),
-        (motion, Some(place)) => format!("{} to {}", motion_text(motion), placement(place)),
-        (motion, None) => motion_text(motion),
-    };
-    if let Some(place) = &v.brushing {
-        text.push_str(&format!(", brushing {}", placement(place)));
-    }
-    for manner in &v.manner {
-        text.push_str(&format!(", {}", manner.name()));
-    }
-    if let Some(r) = v.repetition {
-        text.push_str(&format!(", {}", repetition_text(r)));
-    }
-    if let Some(long) = v.duration {
-        text.push_str(&format!(", duration {}", duration(long)));
-    }
-    if v.alternating {
-        text.push_str(", alternating");
+    if let Some(pace) = v.pace {
+        text.push_str(&format!(" speed {pace}"));
     }
     text
 }
 
-fn motion_text(v: &Motion) -> String {
-    match v {
-        Motion::Hold => "hold".to_owned(),
-        Motion::Change => "change".to_owned(),
-        Motion::Return(key) if key.value == 1 => "back".to_owned(),
-        Motion::Return(key) => format!("back to key {}", key.value),
-        Motion::Straight { direction, extent: e, overlay: o } => format!("{direction}{}{}", extent(*e), overlay(*o)),
-        Motion::Arc { direction, extent: e, bulge, depth, overlay: o } => {
-            let bulge = bulge.map(|b| format!(" bulging {b}")).unwrap_or_default();
-            let depth = if *depth == Size::Normal { String::new() } else { format!(" {} bend", size_name(*depth)) };
-            format!("arc {direction}{}{bulge}{depth}{}", extent(*e), overlay(*o))
-        }
-        Motion::Circle { axis, extent: e, start, turns, ellipse, growth: g } => {
-            let radius = match e {
-                Extent::Size(_) => extent(*e),
-                Extent::Length(length) => format!(" radius {length}"),
-            };
-            let from = match CLOCK.get(usize::from(start.eighths())) {
-                Some(hour) if start.eighths() > 0 => format!(" from {hour}"),
-                _ => String::new(),
-            };
-            let turns = if *turns == 1.0 { String::new() } else { format!(" turns {turns}") };
-            let flat = ellipse.map(|(part, long)| format!(" flattened {part} along {long}")).unwrap_or_default();
-            format!("circle axis {axis}{radius}{from}{turns}{flat}{}", growth(*g))
-        }
-        Motion::Wrist(wrist, size) => format!("{}{}", wrist.name(), extent(Extent::Size(*size))),
-        Motion::Wiggle(fingers) if fingers.is_empty() => "wiggle".to_owned(),
-        Motion::Wiggle(fingers) => format!("wiggle {}", digits(*fingers)),
-    }
-}
-
-fn extent(v: Extent) -> String {
-    match v {
-        Extent::Size(Size::Normal) => String::new(),
-        Extent::Size(size) => format!(" {}", size_name(size)),
-        Extent::Length(length) => format!(" {length}"),
-    }
-}
-
-fn overlay(v: Option<Overlay>) -> String {
-    let Some(o) = v else { return String::new() };
-    format!(" {}{}", if o.zigzag { "zigzag" } else { "wavy" }, extent(Extent::Size(o.size)))
-}
-
-fn repetition_text(v: Repetition) -> String {
-    let word = match v.kind {
-        RepetitionKind::FromStart => "repeated",
-        RepetitionKind::Continue => "continued",
-        RepetitionKind::ToAndFro => "to and fro",
-    };
-    format!("{word} {}{}", v.times, growth(v.growth))
+/// Non-manual values in brackets.
+fn group(parts: &[NonManual], by: &str) -> String {
+    format!("( {} )", parts.iter().map(nonmanual).collect::<Vec<_>>().join(by))
 }
 
 pub(super) fn growth(v: i8) -> String {

@@ -15,6 +15,19 @@ pub struct FingerAngles {
     pub dip: f64,
 }
 
+impl FingerAngles {
+    /// Each angle a part of the way to another finger's, or beyond.
+    pub fn lerp(&self, to: &FingerAngles, w: f64) -> FingerAngles {
+        let mix = |a: f64, b: f64| a + (b - a) * w;
+        FingerAngles {
+            mcp: mix(self.mcp, to.mcp),
+            abduction: mix(self.abduction, to.abduction),
+            pip: mix(self.pip, to.pip),
+            dip: mix(self.dip, to.dip),
+        }
+    }
+}
+
 /// The angles of the thumb, radians.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct ThumbAngles {
@@ -28,6 +41,20 @@ pub struct ThumbAngles {
     pub mcp: f64,
     /// Flexion at the last joint.
     pub ip: f64,
+}
+
+impl ThumbAngles {
+    /// Each angle a part of the way to another thumb's, or beyond.
+    pub fn lerp(&self, to: &ThumbAngles, w: f64) -> ThumbAngles {
+        let mix = |a: f64, b: f64| a + (b - a) * w;
+        ThumbAngles {
+            radial: mix(self.radial, to.radial),
+            palmar: mix(self.palmar, to.palmar),
+            pronation: mix(self.pronation, to.pronation),
+            mcp: mix(self.mcp, to.mcp),
+            ip: mix(self.ip, to.ip),
+        }
+    }
 }
 
 /// The angles of a whole hand, radians; the same numbers make a left or a right hand.

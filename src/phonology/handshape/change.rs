@@ -1,176 +1,221 @@
-//! From a described configuration to joint angles: `between` and changes.
+//! From a described configuration to joint angles: changes and `between`.
 //!
-//! A change takes its angles from the inventory where it can: a thumb laid across is the thumb of the row
-//! whose fingers are most alike and whose thumb lies across, so that what was solved on the mesh is used.
+//! Where a changed handshape is one that HamNoSys writes and the inventory has a row for it, it is that row's hand, as it was
+//! solved on the mesh. Else the fingers are made from the base's, each by its change (`fingers`), and the thumb is taken from
+//! the row whose thumb does the same and whose fingers are most alike (`thumb`).
 
-use super::angles::{FingerAngles, HandAngles, ThumbAngles};
+use super::angles::{FingerAngles, HandAngles};
 use super::inventory::{HandshapeInventory, NotFound};
 use super::limits::HandLimits;
 use super::shape::Handshape;
-use crate::phonology::{Bend, Configuration, Digit, Digits, HandshapeChange};
+use super::thumb::{Thumb, Wish};
+use super::written::Written;
+use crate::phonology::{Bend, Configuration, Digit, Digits, HandshapeChange, Opening, ThumbPosition};
 
 /// A hand while changes are applied to it.
-struct Shaping<'a> {
-    inventory: &'a HandshapeInventory,
-    hand: HandAngles,
+pub(super) struct Shaping<'a> {
+    pub(super) inventory: &'a HandshapeInventory,
+    /// The base's row.
+    pub(super) row: &'a Handshape,
+    pub(super) fingers: [FingerAngles; 4],
     /// Spread of the stretched fingers, radians.
-    spread: [f64; 4],
-    selected: Digits,
+    pub(super) spread: [f64; 4],
+    /// The fingers that the handshape is about; bends without digits are theirs.
+    pub(super) selected: Digits,
+    /// Digits that bends of the whole hand leave alone.
+    pub(super) kept: Digits,
+    /// The bend of the whole hand, where a change gave one.
+    pub(super) bend: Option<Bend>,
+    pub(super) thumb: Thumb,
+    opening: Option<Opening>,
+    /// What HamNoSys writes for the hand as it is now; `None` where a change is none of HamNoSys's.
+    pub(super) written: Option<Written>,
 }
-
-/// Spread of all fingers of a spread hand (the inventory's 5), degrees.
-const SPREAD_ALL: [f64; 4] = [15.0, 0.0, 12.0, 25.0];
-/// Spread where index and middle alone are stretched (V), degrees.
-const SPREAD_PAIR: [f64; 4] = [12.0, -8.0, 0.0, 0.0];
 
 impl HandshapeInventory {
     /// The joint angles of a described configuration: its named handshape as solved on the avatar, halfway to
     /// the second where one is named, with the changes applied in order, within a hand's limits.
     ///
+    /// A list of fingers (`on ring pinky`) said of a whole that lies between two is said of both.
+    ///
     /// # Errors
     /// A name that no handshape, or several, answer to.
+    ///
+    /// ```
+    /// use chereme::phonology::handshape::HandshapeInventory;
+    /// use chereme::phonology::{Configuration, Digit, Digits, HandshapeChange};
+    /// let inventory = HandshapeInventory::builtin();
+    /// let changes = vec![HandshapeChange::On(Digits::of([Digit::Pinky]))];
+    /// let pinky = Configuration { changes, ..Configuration::named("1") };
+    /// assert_eq!(inventory.angles(&pinky, None).unwrap(), inventory.find("I", None).unwrap().angles());
+    /// ```
     pub fn angles(&self, configuration: &Configuration, language: Option<&str>) -> Result<HandAngles, NotFound> {
         let base = self.find(&configuration.base, language)?;
-        let mut shaping =
-            Shaping { inventory: self, hand: base.angles(), spread: base.spread, selected: base.selected };
-        if let Some(second) = &configuration.between {
-            let second = self.find(&second.second, language)?;
-            shaping.hand = shaping.hand.lerp(&second.angles(), 0.5);
-            shaping.spread = std::array::from_fn(|i| (base.spread[i] + second.spread[i]) / 2.0);
+        let Some(between) = &configuration.between else {
+            return Ok(self.shaped(base, configuration.changes.iter().copied()).0);
+        };
+        let second = self.find(&between.second, language)?;
+        let is_list = |change: &HandshapeChange| matches!(change, HandshapeChange::On(_));
+        let lists = || configuration.changes.iter().copied().filter(is_list);
+        let (first, from) = self.shaped(base, lists().chain(between.first.iter().copied()));
+        let (second, to) = self.shaped(second, lists().chain(between.changes.iter().copied()));
+        let mut whole = Shaping::of(self, base);
+        whole.mixed(&first.lerp(&second, 0.5), from.zip(to));
+        for change in configuration.changes.iter().filter(|change| !is_list(change)) {
+            whole.apply(*change);
         }
-        for change in &configuration.changes {
-            shaping.apply(*change);
+        Ok(HandLimits::ANATOMICAL.clamp(&whole.composed()))
+    }
+
+    /// A row's hand with changes, and where its thumb is.
+    fn shaped(
+        &self,
+        row: &Handshape,
+        changes: impl Iterator<Item = HandshapeChange>,
+    ) -> (HandAngles, Option<ThumbPosition>) {
+        let mut shaping = Shaping::of(self, row);
+        for change in changes {
+            shaping.apply(change);
         }
-        Ok(HandLimits::ANATOMICAL.clamp(&shaping.hand))
+        (HandLimits::ANATOMICAL.clamp(&shaping.hand()), shaping.thumb_position())
     }
 }
 
-impl Shaping<'_> {
+impl<'a> Shaping<'a> {
+    fn of(inventory: &'a HandshapeInventory, row: &'a Handshape) -> Shaping<'a> {
+        let angles = row.angles();
+        Shaping {
+            inventory,
+            row,
+            fingers: angles.fingers,
+            spread: row.spread,
+            selected: row.selected_fingers(),
+            kept: Digits::NONE,
+            bend: None,
+            thumb: Thumb { angles: angles.thumb, wish: Wish::Own, bend: None },
+            opening: None,
+            written: row.written,
+        }
+    }
+
+    /// Takes a hand that lies between two as it is. From a closed index's side to across the closed fingers a thumb goes over
+    /// the index, not through it.
+    fn mixed(&mut self, hand: &HandAngles, thumbs: Option<(ThumbPosition, ThumbPosition)>) {
+        self.fingers = hand.fingers;
+        let along_and_across = matches!(
+            thumbs,
+            Some((ThumbPosition::Along, ThumbPosition::Across) | (ThumbPosition::Across, ThumbPosition::Along))
+        );
+        let wish = if along_and_across && hand.fingers[0].pip > CLOSED { Wish::OverIndex } else { Wish::Kept };
+        self.thumb = Thumb { angles: hand.thumb, wish, bend: None };
+        self.written = None;
+    }
+
+    /// Where the thumb is, as its wish or the row says.
+    fn thumb_position(&self) -> Option<ThumbPosition> {
+        match self.thumb.wish {
+            Wish::Position(position) => Some(position),
+            Wish::Own | Wish::Kept => self.row.thumb_position(),
+            Wish::OverIndex | Wish::Between(..) | Wish::At(_) | Wish::Touch(..) => None,
+        }
+    }
+
     fn apply(&mut self, change: HandshapeChange) {
+        self.note(change);
+        match change {
+            HandshapeChange::Thumb(position) => self.thumb.wish = Wish::Position(position),
+            HandshapeChange::ThumbBetween(a, b) => self.thumb.wish = Wish::Between(a.min(b), a.max(b)),
+            HandshapeChange::ThumbAt(part) => self.thumb.wish = Wish::At(part),
+            HandshapeChange::Bend(digits, bend) => self.bend_by(digits, bend),
+            HandshapeChange::Joints(digits, quarters) => self.quarters(digits, quarters),
+            HandshapeChange::Spread(spread) => self.spread_out(spread),
+            HandshapeChange::Cross(front, behind) => self.cross(front, behind),
+            HandshapeChange::On(fingers) => self.on(fingers),
+            HandshapeChange::Except(digits) => self.kept = digits,
+            HandshapeChange::Opening(opening) => self.opening = Some(opening),
+            HandshapeChange::Meet(a, part, b) => self.meet(a, part, b),
+        }
+    }
+
+    /// What HamNoSys would write after a change.
+    fn note(&mut self, change: HandshapeChange) {
+        let (kept, selected) = (self.kept, self.selected);
+        let Some(written) = &mut self.written else { return };
+        let mut expressible = true;
         match change {
             HandshapeChange::Thumb(position) => {
-                self.take_thumb(|shape| shape.thumb_position() == Some(position));
+                written.thumb = position;
+                written.between = None;
             }
             HandshapeChange::ThumbBetween(a, b) => {
-                let pair = |shape: &Handshape| shape.thumb_between().map(|(c, d)| (c.min(d), c.max(d)));
-                self.take_thumb(|shape| pair(shape) == Some((a.min(b), a.max(b))));
+                written.thumb = ThumbPosition::Across;
+                written.between = Some((a.min(b), a.max(b)));
             }
-            HandshapeChange::Bend(digits, bend) => self.bend(digits, bend),
-            HandshapeChange::Spread(spread) => self.spread(spread),
-            HandshapeChange::Cross(front, behind) => self.cross(front, behind),
-            // Not made yet.
-            HandshapeChange::On(_)
-            | HandshapeChange::Except(_)
-            | HandshapeChange::Opening(_)
-            | HandshapeChange::Meet(..)
-            | HandshapeChange::ThumbAt(_)
-            | HandshapeChange::Joints(..) => {}
+            HandshapeChange::Bend(digits, bend) if digits.is_empty() || digits == selected => {
+                written.bend = Some(bend);
+                expressible = kept.is_empty();
+            }
+            HandshapeChange::Bend(digits, bend) => {
+                digits.iter().for_each(|digit| written.digits[digit as usize] = Some(bend));
+            }
+            HandshapeChange::On(fingers) if fingers == selected => {}
+            HandshapeChange::On(fingers) => written.list = fingers,
+            HandshapeChange::Meet(a, part, Digit::Thumb) => written.meet = Some((Digit::Thumb, part, a)),
+            HandshapeChange::Meet(a, part, b) => written.meet = Some((a, part, b)),
+            // How open it is, is made from the row without it.
+            HandshapeChange::Except(_) | HandshapeChange::Opening(_) => {}
+            HandshapeChange::ThumbAt(_)
+            | HandshapeChange::Spread(_)
+            | HandshapeChange::Cross(..)
+            | HandshapeChange::Joints(..) => expressible = false,
+        }
+        if !expressible {
+            self.written = None;
         }
     }
 
-    /// The thumb of the row that passes the test and whose fingers are most like this hand's.
-    fn take_thumb(&mut self, test: impl Fn(&Handshape) -> bool) {
-        let alike = |shape: &&Handshape| {
-            let other = shape.angles();
-            self.hand.fingers.iter().zip(&other.fingers).map(|(a, b)| finger_distance(a, b)).sum::<f64>()
+    /// The hand that the changes come to.
+    fn hand(&self) -> HandAngles {
+        let solved = self
+            .written
+            .and_then(|w| if Some(w) == self.row.written { Some(self.row) } else { self.inventory.written_as(&w) });
+        let hand = solved.map_or_else(|| self.composed(), Handshape::angles);
+        self.opened(hand)
+    }
+
+    /// The hand from its parts.
+    fn composed(&self) -> HandAngles {
+        HandAngles { fingers: self.fingers, thumb: self.suited_thumb() }
+    }
+
+    /// A C or a pinch opened or closed: along the way from the pinch to the C and beyond.
+    fn opened(&self, hand: HandAngles) -> HandAngles {
+        let (Some(opening), Some(written)) = (self.opening, self.row.written) else { return hand };
+        let bend = if self.bend == Some(Bend::Bent) { self.bend } else { written.bend };
+        let (Some(pinch), Some(cee)) = (self.inventory.pinch(bend), self.inventory.cee(bend)) else { return hand };
+        let (pinch, cee) = (pinch.angles(), cee.angles());
+        let way = match (opening, written.is_cee()) {
+            (Opening::Tight, true) => TIGHT,
+            (Opening::Tight, false) => TIGHT / 2.0,
+            (Opening::Slack, true) => SLACK,
+            (Opening::Slack, false) => 1.0,
         };
-        let rows = self.inventory.shapes().iter().filter(|s| test(s));
-        let nearest = rows.map(|s| (alike(&s), s)).min_by(|a, b| a.0.total_cmp(&b.0));
-        if let Some((_, shape)) = nearest {
-            self.hand.thumb = shape.angles().thumb;
-        }
-    }
-
-    /// The fingers that a change without digits means: the selected ones, or all where none is.
-    fn selected_fingers(&self) -> Digits {
-        let fingers = Digits::of(self.selected.iter().filter(|d| *d != Digit::Thumb));
-        if fingers.is_empty() { Digits::FINGERS } else { fingers }
-    }
-
-    fn bend(&mut self, digits: Digits, bend: Bend) {
-        let digits = if digits.is_empty() { self.selected_fingers() } else { digits };
-        if digits.contains(Digit::Thumb) {
-            let thumb = self.hand.thumb;
-            let (mcp, ip) = thumb_bend(bend);
-            self.hand.thumb = ThumbAngles { mcp: mcp.to_radians(), ip: ip.to_radians(), ..thumb };
-        }
+        let mut open = hand;
         for (i, digit) in Digit::FINGERS.into_iter().enumerate() {
-            if digits.contains(digit) {
-                let (mcp, pip, dip) = self.level(i, bend);
-                self.hand.fingers[i] = FingerAngles { mcp, abduction: self.spread[i] * mcp.cos(), pip, dip };
+            if self.selected.contains(digit) {
+                open.fingers[i] = pinch.fingers[i].lerp(&cee.fingers[i], way);
             }
         }
-    }
-
-    /// Knuckle, middle and last joint of a finger bent so: as solved in the first row that bends it so, else as named.
-    fn level(&self, finger: usize, bend: Bend) -> (f64, f64, f64) {
-        let solved = self.inventory.shapes().iter().find(|s| s.flexion[finger] == bend.name());
-        if let Some(shape) = solved {
-            let f = shape.angles().fingers[finger];
-            return (f.mcp, f.pip, f.dip);
+        if !written.is_cee() || opening == Opening::Tight {
+            open.thumb = pinch.thumb.lerp(&cee.thumb, way.min(1.0));
         }
-        let (mcp, pip, dip) = self.inventory.level(bend.name()).unwrap_or_else(|| fallback(bend));
-        (mcp.to_radians(), pip.to_radians(), dip.to_radians())
-    }
-
-    fn spread(&mut self, spread: bool) {
-        let selected = self.selected_fingers();
-        let pair = selected == Digits::of([Digit::Index, Digit::Middle]);
-        let degrees = if pair { SPREAD_PAIR } else { SPREAD_ALL };
-        for (i, digit) in Digit::FINGERS.into_iter().enumerate() {
-            if selected.contains(digit) {
-                self.spread[i] = if spread { degrees[i].to_radians() } else { 0.0 };
-                let finger = &mut self.hand.fingers[i];
-                finger.abduction = self.spread[i] * finger.mcp.cos();
-            }
-        }
-    }
-
-    /// Two neighbours crossed, as index and middle finger are in R.
-    fn cross(&mut self, front: Digit, behind: Digit) {
-        let place = |digit: Digit| Digit::FINGERS.into_iter().position(|d| d == digit);
-        let (Some(f), Some(b)) = (place(front), place(behind)) else { return };
-        // Positive abduction of index and middle finger is toward the thumb, of the others away from it.
-        let toward = |from: usize, to: usize| if (to < from) == (from <= 1) { 1.0 } else { -1.0 };
-        let over = &mut self.hand.fingers[f];
-        *over = FingerAngles {
-            mcp: over.mcp + 10f64.to_radians(),
-            abduction: 12f64.to_radians() * toward(f, b),
-            pip: over.pip + 15f64.to_radians(),
-            dip: over.dip + 10f64.to_radians(),
-        };
-        self.hand.fingers[b].abduction = 10f64.to_radians() * toward(b, f);
+        open
     }
 }
 
-fn finger_distance(a: &FingerAngles, b: &FingerAngles) -> f64 {
-    (a.mcp - b.mcp).abs() + (a.pip - b.pip).abs() + (a.dip - b.dip).abs() + (a.abduction - b.abduction).abs()
-}
-
-/// Knuckle and last joint of a bent thumb, degrees.
-fn thumb_bend(bend: Bend) -> (f64, f64) {
-    match bend {
-        Bend::Straight => (0.0, 0.0),
-        Bend::Bent => (45.0, 0.0),
-        Bend::HalfBent => (25.0, 0.0),
-        Bend::Round => (20.0, 30.0),
-        Bend::Hooked => (0.0, 65.0),
-        Bend::DoubleBent => (45.0, 30.0),
-        Bend::DoubleHooked => (45.0, 65.0),
-        Bend::Closed => (55.0, 70.0),
-    }
-}
-
-/// Where the table has no level of that name, degrees.
-fn fallback(bend: Bend) -> (f64, f64, f64) {
-    match bend {
-        Bend::Straight => (0.0, 0.0, 0.0),
-        Bend::Bent => (80.0, 5.0, 3.0),
-        Bend::HalfBent => (45.0, 5.0, 3.0),
-        Bend::Round => (35.0, 45.0, 30.0),
-        Bend::Hooked => (5.0, 90.0, 60.0),
-        Bend::DoubleBent => (85.0, 95.0, 10.0),
-        Bend::DoubleHooked => (72.0, 95.0, 63.0),
-        Bend::Closed => (85.0, 100.0, 67.0),
-    }
-}
+/// The flexion of the middle joint beyond which a finger is closed enough to have a thumb laid over it, radians.
+const CLOSED: f64 = 1.0;
+/// How far from the pinch to the C a tight one stands.
+const TIGHT: f64 = 0.5;
+/// How far a slack one stands: beyond the C.
+const SLACK: f64 = 1.7;

@@ -1,10 +1,12 @@
 //! The inventory: loading, checking, finding by name.
 
+use super::angles::FingerAngles;
 use super::row::{Level, Row, Table};
 use super::shape::Handshape;
+use super::written::Written;
 use crate::diagnostics::{Diagnostic, Error, Source, Span};
 use crate::phonology::grammar::{fold, read_table};
-use crate::phonology::{Configuration, HandPoint};
+use crate::phonology::{Bend, Configuration, HandPoint};
 use std::collections::{BTreeMap, HashMap};
 use std::fmt;
 
@@ -22,12 +24,20 @@ struct Index {
     ids: HashMap<String, Vec<usize>>,
     aliases: HashMap<String, Vec<usize>>,
     letters: HashMap<String, Vec<usize>>,
+    /// The first row that HamNoSys writes so.
+    written: HashMap<Written, usize>,
+    /// For each bend, in the order of [`Bend::ALL`], the four fingers bent so.
+    bent: [[FingerAngles; 4]; 8],
 }
 
 impl Index {
-    fn of(shapes: &[Handshape]) -> Index {
-        let mut index = Index::default();
+    fn of(shapes: &[Handshape], levels: &BTreeMap<String, Level>) -> Index {
+        let bent = Bend::ALL.map(|bend| std::array::from_fn(|finger| bent(shapes, levels, finger, bend)));
+        let mut index = Index { bent, ..Index::default() };
         for (i, shape) in shapes.iter().enumerate() {
+            if let Some(written) = shape.written {
+                index.written.entry(written).or_insert(i);
+            }
             index.ids.entry(fold(&shape.id)).or_default().push(i);
             for alias in &shape.aliases {
                 push_new(index.aliases.entry(fold(alias)).or_default(), i);
@@ -40,6 +50,15 @@ impl Index {
         }
         index
     }
+}
+
+/// A finger bent so: as solved in the first row that bends it so, else as the level of that name, else stretched.
+fn bent(shapes: &[Handshape], levels: &BTreeMap<String, Level>, finger: usize, bend: Bend) -> FingerAngles {
+    if let Some(shape) = shapes.iter().find(|s| s.flexion[finger] == bend.name()) {
+        return shape.angles().fingers[finger];
+    }
+    let (mcp, pip, dip) = levels.get(bend.name()).copied().unwrap_or_default();
+    FingerAngles { mcp: mcp.to_radians(), abduction: 0.0, pip: pip.to_radians(), dip: dip.to_radians() }
 }
 
 fn push_new(all: &mut Vec<usize>, i: usize) {
@@ -126,7 +145,7 @@ impl HandshapeInventory {
                 Err((word, message)) => faults.push(Diagnostic::fault(span_of(source, &word, span.start), message)),
             }
         }
-        self.index = Index::of(&self.shapes);
+        self.index = Index::of(&self.shapes, &self.levels);
         faults.extend(self.aliases_given_twice(source, &table.handshapes));
         if faults.is_empty() { Ok(self) } else { Err(faults) }
     }
@@ -199,6 +218,43 @@ impl HandshapeInventory {
                 Err(NotFound::Ambiguous { name: name.to_owned(), ids })
             }
         }
+    }
+
+    /// The handshape that HamNoSys writes with these tokens (`hamfinger2 hamthumboutmod`), thumb and bend in either order.
+    ///
+    /// ```
+    /// use chereme::phonology::handshape::HandshapeInventory;
+    /// let inventory = HandshapeInventory::builtin();
+    /// let found = |tokens: &str| inventory.of_hamnosys(tokens.split_whitespace()).map(|s| s.id.as_str());
+    /// assert_eq!(found("hamfinger2 hamthumboutmod"), Some("L"));
+    /// assert_eq!(found("hamfinger23spread hamfingerhookmod hamthumbacrossmod"), Some("bent-V"));
+    /// assert_eq!(found("hamfist hamfist"), None);
+    /// ```
+    pub fn of_hamnosys<'a>(&self, tokens: impl IntoIterator<Item = &'a str>) -> Option<&Handshape> {
+        let tokens: Vec<String> = tokens.into_iter().map(str::to_owned).collect();
+        let as_they_stand = || self.shapes.iter().find(|s| !tokens.is_empty() && s.hamnosys == tokens);
+        Written::of(&tokens).and_then(|w| self.written_as(&w)).or_else(as_they_stand)
+    }
+
+    /// The row that HamNoSys writes so.
+    pub(super) fn written_as(&self, written: &Written) -> Option<&Handshape> {
+        self.index.written.get(written).map(|i| &self.shapes[*i])
+    }
+
+    /// The pinch of all fingers, plain or with straight fingers.
+    pub(super) fn pinch(&self, bend: Option<Bend>) -> Option<&Handshape> {
+        self.written_as(&Written::plain("hampinchall", bend)?)
+    }
+
+    /// The C of all fingers, plain or with straight fingers.
+    pub(super) fn cee(&self, bend: Option<Bend>) -> Option<&Handshape> {
+        self.written_as(&Written::plain("hamceeall", bend)?)
+    }
+
+    /// A finger (0 is the index) bent so.
+    pub(super) fn bent(&self, finger: usize, bend: Bend) -> FingerAngles {
+        let which = Bend::ALL.iter().position(|b| *b == bend).unwrap_or(0);
+        self.index.bent[which][finger]
     }
 
     /// The point of the hand that touches a place where the sign does not say: that of the named handshape.

@@ -3,6 +3,7 @@
 use super::angles::{FingerAngles, HandAngles, ThumbAngles};
 use super::limits::HandLimits;
 use super::shape::{Handshape, Solved, ThumbGoal, ThumbPart, ThumbStance, ThumbTarget};
+use super::written::Written;
 use crate::phonology::{Digit, Digits, Flank, HandPart, HandPoint};
 use serde::Deserialize;
 use std::collections::BTreeMap;
@@ -86,10 +87,12 @@ impl Row {
             }
         }
         let flexion = [a, b, c, d].map(|n| if levels.contains_key(n) { n.clone() } else { String::new() });
+        let hamnosys: Vec<String> = self.hamnosys.split_whitespace().map(str::to_owned).collect();
         Ok(Handshape {
             id: self.id.clone(),
             aliases: self.aliases.clone(),
-            hamnosys: self.hamnosys.split_whitespace().map(str::to_owned).collect(),
+            written: Written::of(&hamnosys),
+            hamnosys,
             iswa: self.iswa.clone(),
             selected: digits(&self.selected)?,
             touches_with: hand_point(&self.touches_with).ok_or_else(|| {

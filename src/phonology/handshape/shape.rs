@@ -1,6 +1,7 @@
 //! One handshape of the inventory: names, features, angles.
 
 use super::angles::HandAngles;
+use super::written::Written;
 use crate::phonology::{Digit, Digits, HandPoint, ThumbPosition};
 use serde::Deserialize;
 
@@ -13,6 +14,8 @@ pub struct Handshape {
     pub aliases: Vec<String>,
     /// HamNoSys symbols, by the names of its tokens.
     pub hamnosys: Vec<String>,
+    /// What they mean, where they are one class.
+    pub(super) written: Option<Written>,
     /// The base symbol of the International SignWriting Alphabet, hexadecimal, perhaps with a remark.
     pub iswa: String,
     /// The digits that carry the distinction; changes without digits apply to their fingers.
@@ -117,6 +120,9 @@ impl Handshape {
 
     /// How the thumb would be described by a change, where it stands free, across or along.
     pub fn thumb_position(&self) -> Option<ThumbPosition> {
+        if self.written.is_some_and(|w| w.thumb == ThumbPosition::Enclosed) {
+            return Some(ThumbPosition::Enclosed);
+        }
         match self.thumb {
             ThumbGoal::Posture(ThumbStance::Out) => Some(ThumbPosition::Out),
             ThumbGoal::Posture(ThumbStance::Along) => Some(ThumbPosition::Along),
@@ -132,14 +138,8 @@ impl Handshape {
         }
     }
 
-    /// The two fingers that the thumb stands between, as HamNoSys writes it.
+    /// The two fingers that the thumb stands between, as HamNoSys writes it; the nearer to the thumb first.
     pub fn thumb_between(&self) -> Option<(Digit, Digit)> {
-        let at = self.hamnosys.iter().position(|t| t == "hambetween")?;
-        let finger = |token: &String| {
-            let name = token.strip_prefix("ham")?;
-            let name = name.strip_suffix("finger").unwrap_or(name);
-            Digit::FINGERS.into_iter().find(|d| d.name() == name)
-        };
-        Some((finger(self.hamnosys.get(at + 1)?)?, finger(self.hamnosys.get(at + 2)?)?))
+        self.written.and_then(|w| w.between)
     }
 }

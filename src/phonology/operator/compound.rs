@@ -1,6 +1,8 @@
 //! Signs joined: compounds (one after the other as one sign) and one sign on each hand (Naert et al. 2021, §6: "the
 //! parallel production of two signs").
 
+use super::invert::possible;
+use super::phase::flattened;
 use super::reflect::{hand_of, later};
 use super::{keys_of, manual_mut, neutral, plain, swapped};
 use crate::diagnostics::Error;
@@ -11,7 +13,7 @@ use crate::phonology::{
 
 /// One sign after the other as one sign: each part's postures and movements, a `change` from one part to the next.
 ///
-/// The places of each part stand at its keys. Hands that act in one part only stay where they are in the others. What a
+/// A part of several phases is made one. The places of each part stand at its keys. Hands that act in one part only stay where they are in the others. What a
 /// non-manual tier says holds until the next part that says something of it.
 ///
 /// # Errors
@@ -24,6 +26,7 @@ use crate::phonology::{
 /// assert_eq!((sign.name.as_str(), sign.intervals), ("AB", 1));
 /// ```
 pub fn chain(parts: &[Sign], name: impl Into<String>) -> Result<Sign, Error> {
+    let parts = parts.iter().map(flattened).collect::<Result<Vec<Sign>, Error>>()?;
     let parts: Vec<Part> = parts.iter().map(|sign| Part { sign, before: plain(Motion::Change) }).collect();
     joined(&parts, name.into(), Unsaid::Neutral)
 }
@@ -131,7 +134,7 @@ fn hand_joined(parts: &[Part], own: impl Fn(&Part) -> Option<Manual>, leads: boo
     Manual {
         configuration: keys_of(configuration),
         placement: keys_of(placement),
-        orientation: keys_of(orientation),
+        orientation: possible(&keys_of(orientation)),
         movement,
     }
 }
@@ -153,6 +156,7 @@ fn said_from_start<T: Clone>(values: &Keys<T>, by: usize) -> Vec<(usize, T)> {
 /// assert_eq!(on_each_hand(&Sign::named("A"), &Sign::named("B")).unwrap().hands, Hands::Both(None));
 /// ```
 pub fn on_each_hand(strong: &Sign, weak: &Sign) -> Result<Sign, Error> {
+    let (strong, weak) = (&flattened(strong)?, &flattened(weak)?);
     let missing = |sign: &Sign| Error::new(format!("{} has no hand to take part", sign.name));
     let of_first = match strong.hands {
         Hands::Weak => hand_of(&swapped(strong), Hand::Strong),

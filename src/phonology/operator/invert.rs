@@ -4,12 +4,16 @@
 //! non-manuals stay (the paper edits manual channels only). Simple movements are said in plain words (`up` becomes `down`);
 //! what has no plain reverse is wrapped in `backwards ( … )`.
 //!
+//! The phases of a sign come in reverse order, each backwards.
+//!
 //! Backwards twice is the sign itself in its *normal form*: the place that a movement leads to stands at its key, the first
-//! value of a tier stands at the first key, what an orientation leaves open is filled from its neighbours, and a hand of which
+//! value of a tier stands at the first key, what a hand becomes during a movement at the key after it, what an orientation leaves open is filled from its neighbours, and a hand of which
 //! no place is said is at the neutral one. What was inverted once has that form, unless its text says `backwards` itself.
 
-use super::{manual, manual_mut, neutral};
-use crate::phonology::movement::{Action, Clock, Manner, Motion, Movement, RepetitionKind};
+use super::{manual, manual_mut, neutral, phase, posture};
+use crate::phonology::movement::{
+    Action, Clock, Manner, Motion, Movement, Repeated, Repetition, RepetitionKind, Shift,
+};
 use crate::phonology::orientation::Orientation;
 use crate::phonology::placement::Placement;
 use crate::phonology::sign::{Hands, Keys, Manual, Sign};
@@ -26,26 +30,34 @@ use crate::phonology::{Direction, Hand, Heading};
 /// assert!(back.contains("flat-O then 5") && back.contains("chest at end") && back.contains("down 10cm"), "{back}");
 /// ```
 pub fn inverted(sign: &Sign) -> Sign {
-    let mut back = inverted_movement(sign);
-    for hand in Hand::BOTH {
-        let own = manual(sign, hand);
-        let configuration = runs_reversed(&own.configuration, sign.intervals);
-        let orientation = runs_reversed(&filled(&own.orientation), sign.intervals);
-        let own = manual_mut(&mut back, hand);
-        own.configuration = configuration;
-        own.orientation = orientation;
-    }
-    back
+    phase::backwards(sign, |phase| {
+        let mut back = path_inverted(phase);
+        for hand in Hand::BOTH {
+            let own = manual_mut(&mut back, hand);
+            own.configuration = runs_reversed(&own.configuration, phase.intervals);
+            own.orientation = runs_reversed(&filled(&own.orientation), phase.intervals);
+        }
+        back
+    })
 }
 
-/// The path alone backwards: placement, movement and contact.
+/// The path alone backwards: placement, movement and contact. Several phases are made one first.
 pub fn inverted_movement(sign: &Sign) -> Sign {
+    // Too long for one: each phase's own path.
+    let whole = phase::flattened(sign).unwrap_or_else(|_| sign.clone());
+    phase::each(&whole, path_inverted)
+}
+
+/// The path of one phase backwards; shapes and orientations stay, said at keys.
+fn path_inverted(sign: &Sign) -> Sign {
     let mut back = sign.clone();
     for hand in Hand::BOTH {
         let normal = normal(sign, hand);
         let own = manual_mut(&mut back, hand);
         own.movement = movements(&normal);
         own.placement = reversed(&normal.placement, sign.intervals);
+        own.configuration = normal.configuration;
+        own.orientation = normal.orientation;
         // What stood inside `backwards` may say a place now.
         targets_at_keys(own);
     }
@@ -55,7 +67,7 @@ pub fn inverted_movement(sign: &Sign) -> Sign {
 
 /// A hand's tiers with the places that movements lead to said at the keys, and the neutral place where none is said.
 fn normal(sign: &Sign, hand: Hand) -> Manual {
-    let mut own = manual(sign, hand).clone();
+    let mut own = posture::at_keys(manual(sign, hand));
     targets_at_keys(&mut own);
     let acts = match (sign.hands, hand) {
         (Hands::Strong | Hands::Both(_), Hand::Strong) | (Hands::Weak | Hands::Both(None), Hand::Weak) => true,
@@ -155,8 +167,27 @@ fn rewritten(movement: &Movement) -> Option<Movement> {
         Movement::Sequence(parts) => backwards(all(parts)).map(Movement::Sequence),
         Movement::Together(parts) => all(parts).map(Movement::Together),
         Movement::Fused(parts) => backwards(all(parts)).map(Movement::Fused),
-        Movement::Repeated(_) | Movement::Backwards(_) => None,
+        Movement::Repeated(r) => repeated_backwards(r).map(|r| Movement::Repeated(Box::new(r))),
+        Movement::Backwards(_) => None,
     }
+}
+
+/// A repeated group backwards; `None` where it says where it goes, or is not alike each time.
+fn repeated_backwards(r: &Repeated) -> Option<Repeated> {
+    if r.repetition.growth != 0 || goes_somewhere(&r.movement) {
+        return None;
+    }
+    let movement = match r.repetition.kind {
+        // There and back again is its own reverse.
+        RepetitionKind::ToAndFro => r.movement.clone(),
+        RepetitionKind::FromStart | RepetitionKind::Continue => part(&r.movement)?,
+    };
+    Some(Repeated { movement, repetition: repetition_backwards(r.repetition), alternating: r.alternating })
+}
+
+/// A repetition whose last performance is the first.
+fn repetition_backwards(r: Repetition) -> Repetition {
+    Repetition { shift: r.shift.map(|s| Shift { direction: s.direction.opposite(), ..s }), ..r }
 }
 
 /// A part of a group backwards; `None` where a place or a key in it says where it goes.
@@ -171,12 +202,17 @@ fn part(movement: &Movement) -> Option<Movement> {
 }
 
 fn goes_somewhere(movement: &Movement) -> bool {
-    movement.any_action(&|action| action.target.is_some() || matches!(action.motion, Motion::Return { .. }))
+    movement.any_action(&|action| is_led(action) || matches!(action.motion, Motion::Return { .. }))
+}
+
+/// Whether an action says where it leads, to a place or to a posture.
+fn is_led(action: &Action) -> bool {
+    action.target.is_some() || action.becoming.is_some() || action.names.is_some()
 }
 
 fn action_backwards(action: &Action) -> Option<Action> {
     let grows = action.repetition.is_some_and(|r| r.growth != 0);
-    if action.target.is_some() || grows {
+    if is_led(action) || grows {
         return None;
     }
     let manner = action.manner.iter().map(|manner| match manner {
@@ -191,7 +227,8 @@ fn action_backwards(action: &Action) -> Option<Action> {
     let to_and_fro = action.repetition.is_some_and(|r| r.kind == RepetitionKind::ToAndFro);
     // There and back again is its own reverse.
     let motion = if to_and_fro { action.motion.clone() } else { motion_backwards(&action.motion)? };
-    Some(Action { motion, manner: manner.collect(), ..action.clone() })
+    let repetition = action.repetition.map(repetition_backwards);
+    Some(Action { motion, manner: manner.collect(), repetition, ..action.clone() })
 }
 
 fn motion_backwards(motion: &Motion) -> Option<Motion> {
@@ -267,6 +304,25 @@ pub(super) fn filled(keys: &Keys<Orientation>) -> Keys<Orientation> {
         fill(&mut all[i - 1].1, after);
     }
     Keys::new(all).unwrap_or_default()
+}
+
+/// Orientations of which none lets a palm face along fingers that hold from before: those are turned by a right angle.
+pub(super) fn possible(keys: &Keys<Orientation>) -> Keys<Orientation> {
+    let (mut fingers, mut palm) = (None, None);
+    let one = |(key, stated): (usize, &Orientation)| {
+        let mut o = *stated;
+        let along = |a: Option<Heading>, b: Option<Heading>| across(a, b, None) != a;
+        if o.fingers.is_none() && along(fingers, o.palm) {
+            o.fingers = across(fingers, o.palm, palm);
+        }
+        if o.palm.is_none() && along(palm, o.fingers) {
+            o.palm = across(palm, o.fingers, fingers);
+        }
+        fingers = o.fingers.or(fingers);
+        palm = o.palm.or(palm);
+        (key, o)
+    };
+    Keys::new(keys.iter().map(one).collect()).unwrap_or_default()
 }
 
 /// A direction to take over, unless it lies along `own`: then `instead`, or any direction across.

@@ -8,11 +8,17 @@
 //! Keys and intervals as in [`Sign`]. Non-manual tiers stay unless an operator names them. Numbers of repetition count
 //! performances in all. Refuses what has no meaning (a sign anchored on the body moved away, counts that do not fit) with
 //! an [`Error`]; what is doubtful comes back as warnings.
+//!
+//! Of a sign of several phases each phase is changed; one value of a tier is that of all phases, several stand at the keys of
+//! all phases, counted through. Played backwards, the phases come in reverse order too. A compound, a sign on each hand and
+//! the path alone backwards make the phases one first.
 
 mod compound;
 mod invert;
+mod phase;
 mod place;
 mod point;
+mod posture;
 mod reflect;
 mod repeat;
 mod replace;
@@ -126,7 +132,13 @@ pub fn apply(operator: &Operator, sign: &Sign, tables: &Tables) -> Result<Applie
         Operator::Mirrored => mirrored(sign, tables),
         Operator::Swapped => Ok(swapped(sign).into()),
         Operator::Reflected => Ok(reflected(sign).into()),
-        Operator::Repeated { times, gap, growth } => repeated(sign, *times, *gap, *growth, tables).map(Applied::from),
+        Operator::Repeated { times, gap, growth } => {
+            let sign_made = repeated(sign, *times, *gap, *growth, tables)?;
+            let left_out = gap.is_some() && !sign.then.is_empty();
+            let warning =
+                || format!("{}: its phases follow each other without rest, so the gap is left out", sign.name);
+            Ok(Applied { sign: sign_made, warnings: left_out.then(warning).into_iter().collect() })
+        }
         Operator::Configuration(hand, values) => replace::configuration(sign, *hand, values),
         Operator::Orientation(hand, values) => replace::orientation(sign, *hand, values),
         Operator::Placement(hand, values) => replace::placement(sign, *hand, values),

@@ -16,6 +16,12 @@ const NEAR_M: f64 = 0.06;
 /// Whether a placement is at or near the skin, so that what touches matters.
 pub fn touches(placement: &Placement, locations: &LocationInventory) -> bool {
     let distance = match (&placement.place, placement.distance) {
+        // In the signing space before a region the hand is away from the skin.
+        (Place::Body(name), Distance::Close | Distance::Unmarked)
+            if locations.get(name).is_some_and(|row| row.space.is_some()) =>
+        {
+            Distance::Neutral
+        }
         (Place::Body(name), Distance::Unmarked) => match locations.get(name) {
             Some(row) if row.id != "neutral" => row.unmarked,
             _ => Distance::Neutral,
@@ -42,7 +48,7 @@ pub fn touches(placement: &Placement, locations: &LocationInventory) -> bool {
 /// assert_eq!(anchored(&sign, &LocationInventory::builtin()).as_deref(), Some("temple"));
 /// ```
 pub fn anchored(sign: &Sign, locations: &LocationInventory) -> Option<String> {
-    let hands = Hand::BOTH.into_iter().filter_map(|hand| hand_of(sign, hand));
+    let hands = sign.phases().flat_map(|phase| Hand::BOTH.into_iter().filter_map(|hand| hand_of(phase, hand)));
     hands.into_iter().find_map(|own| on_body(&own, locations))
 }
 

@@ -3,13 +3,14 @@
 //! *Mirrored* is the paper's operator (§6): one arm copied onto the other, one-handed to two-handed. *Swapped* is the reflection
 //! of the two arms (what the strong hand did, the weak one does). *Reflected* is the mirror image of the whole signer.
 
-use super::{Applied, Tables, keys_of, manual, neutral, plain};
+use super::posture::without;
+use super::{Applied, Tables, keys_of, manual, neutral, phase, plain};
 use crate::diagnostics::Error;
 use crate::phonology::reflection::Reflection;
 use crate::phonology::symmetry::{acts, crossed, map_keys, resolve};
 use crate::phonology::{
-    Configuration, Contact, Hand, Hands, Keys, Lateral, Manual, Motion, Place, Placement, Relocation, Side, Sign,
-    Symmetry,
+    Action, Becoming, Configuration, Contact, Hand, Hands, Keys, Lateral, Manual, Motion, Place, Placement, Relocation,
+    Side, Sign, Symmetry,
 };
 
 /// The acting hand copied onto the other, mirrored at the midline; of two different hands, the strong one's.
@@ -19,6 +20,20 @@ use crate::phonology::{
 /// # Errors
 /// A hand placed on the other one has no copy.
 pub fn mirrored(sign: &Sign, tables: &Tables) -> Result<Applied, Error> {
+    let mut warnings = Vec::new();
+    let made = phase::try_each(sign, |phase| {
+        let mut one = phase_mirrored(phase, tables)?;
+        warnings.append(&mut one.warnings);
+        Ok(one.sign)
+    })?;
+    if warnings.is_empty() { Ok(made.into()) } else { Ok(Applied { sign: made, warnings: vec![unmet(sign)] }) }
+}
+
+fn unmet(sign: &Sign) -> String {
+    format!("{}: mirrored, its hands no longer meet", sign.name)
+}
+
+fn phase_mirrored(sign: &Sign, tables: &Tables) -> Result<Applied, Error> {
     let same = sign.hands == Hands::Both(Some(Symmetry::MIRRORED)) && sign.weak.is_empty();
     if same {
         return Ok(sign.clone().into());
@@ -51,10 +66,11 @@ pub fn mirrored(sign: &Sign, tables: &Tables) -> Result<Applied, Error> {
     if own.placement.iter().any(|(_, p)| on_the_other_hand(&p.place)) {
         return Err(Error::new("it cannot be mirrored: each hand would be placed on the other"));
     }
-    let mut warnings = Vec::new();
-    if !sign.contact.is_empty() {
-        warnings.push(format!("{}: mirrored, its hands no longer meet", sign.name));
-    }
+    let meet = |b: &Action| b.becoming.as_ref().is_some_and(|b| b.contact.is_some());
+    let meets = !sign.contact.is_empty() || own.movement.iter().any(|m| m.any_action(&meet));
+    let apart = |action: &Action| without(action, &|b| b.contact = None);
+    own.movement = own.movement.iter().map(|m| m.map_actions(&apart)).collect();
+    let warnings = meets.then(|| unmet(sign)).into_iter().collect();
     let sign = Sign {
         hands: Hands::Both(Some(Symmetry::MIRRORED)),
         strong: own,
@@ -85,13 +101,13 @@ fn on_the_other_hand(place: &Place) -> bool {
 /// assert_eq!(swapped(&weak), Sign::named("OK"));
 /// ```
 pub fn swapped(sign: &Sign) -> Sign {
-    exchanged(sign, Reflection::SIDES)
+    phase::each(sign, |phase| exchanged(phase, Reflection::SIDES))
 }
 
 /// The description as a left-handed signer performs it: the hands exchanged, but places in space, points and what is
 /// looked at stay, since the addressee stays where they are.
 pub fn for_left_hander(sign: &Sign) -> Sign {
-    let swapped = exchanged(sign, Reflection::SIDES_OF_SIGNER);
+    let swapped = phase::each(sign, |phase| exchanged(phase, Reflection::SIDES_OF_SIGNER));
     Sign { relocated: sign.relocated.clone(), ..swapped }
 }
 
@@ -118,7 +134,8 @@ fn exchanged(sign: &Sign, sides: Reflection) -> Sign {
         }
         Hands::Both(Some(symmetry)) => following(sign, symmetry, sides),
     };
-    let contact = map_keys(&sign.contact, |c| Contact { strong: c.weak, weak: c.strong, kind: c.kind });
+    let contact = map_keys(&sign.contact, other_way_round);
+    let (strong, weak) = (contacts_exchanged(strong), contacts_exchanged(weak));
     let relocated = sign.relocated.as_ref().map(|to| Relocation { place: sides.place(&to.place), forced: to.forced });
     let hands = match sign.hands {
         Hands::Strong => Hands::Weak,
@@ -126,6 +143,22 @@ fn exchanged(sign: &Sign, sides: Reflection) -> Sign {
         both @ Hands::Both(_) => both,
     };
     Sign { hands, strong, weak, contact, relocated, ..sign.clone() }
+}
+
+fn other_way_round(c: &Contact) -> Contact {
+    Contact { strong: c.weak, weak: c.strong, kind: c.kind }
+}
+
+/// The contacts that are made during movements, with the hands exchanged.
+fn contacts_exchanged(own: Manual) -> Manual {
+    let exchanged = |action: &Action| {
+        let becoming = action.becoming.clone().map(|b| {
+            let contact = b.contact.as_ref().map(other_way_round);
+            Box::new(Becoming { contact, ..*b })
+        });
+        Action { becoming, ..action.clone() }
+    };
+    Manual { movement: own.movement.iter().map(|m| m.map_actions(&exchanged)).collect(), ..own }
 }
 
 /// The two hands of a symmetry exchanged: each tier that the weak hand has of its own changes places with the strong

@@ -1,10 +1,11 @@
 //! A sign performed several times (Naert et al. 2021, §6: PUNIR twice is TRAVAIL).
 //!
 //! Where the hands do not end as they began, a way back comes between (the paper's "short slerp between the repeated
-//! instances"); its time is the gap. The number counts performances in all.
+//! instances"); its time is the gap. The number counts performances in all. A sign of several
+//! phases is performed as a whole. A sign of several phases is performed as a whole.
 
 use super::invert::filled;
-use super::{Tables, keys_of, manual_mut, scale};
+use super::{Tables, keys_of, manual_mut, phase, posture, scale};
 use crate::diagnostics::Error;
 use crate::phonology::movement_table::MovementTable;
 use crate::phonology::{
@@ -42,6 +43,11 @@ pub fn repeated(sign: &Sign, times: u8, gap: Option<Seconds>, growth: i8, tables
     if times == 1 {
         return Ok(sign.clone());
     }
+    if !sign.then.is_empty() {
+        return phases_repeated(sign, times, growth, tables);
+    }
+    // What a hand becomes at the end of one performance is undone for the next one.
+    let sign = &Sign { strong: posture::at_keys(&sign.strong), weak: posture::at_keys(&sign.weak), ..sign.clone() };
     let n = sign.intervals;
     // A posture has no movement that could end where it began; it is held anew.
     let between = usize::from(gap.is_some() || n == 0 || !closes(sign, tables.movements));
@@ -64,7 +70,7 @@ pub fn repeated(sign: &Sign, times: u8, gap: Option<Seconds>, growth: i8, tables
                 movement.push(Movement::Action(Box::new(action)));
             }
             let offset = performance * step;
-            let size = GROWTH.powi(performance as i32 * i32::from(growth.signum()));
+            let size = size_of(performance, growth);
             let later = |m: &Movement| {
                 let m = returns_later(m, offset, intervals - n - offset, false);
                 scale::movement(&m, size, tables.movements)
@@ -94,6 +100,37 @@ pub fn repeated(sign: &Sign, times: u8, gap: Option<Seconds>, growth: i8, tables
         let gaps = gap.unwrap_or_default().0 * (f64::from(times) - 1.0);
         Seconds(d.0 * f64::from(times) + gaps)
     });
+    Ok(made)
+}
+
+/// How large a performance is, beside the first one.
+fn size_of(performance: usize, growth: i8) -> f64 {
+    GROWTH.powi(performance as i32 * i32::from(growth.signum()))
+}
+
+/// A sign of several phases, all of them performed several times without rest.
+fn phases_repeated(sign: &Sign, times: u8, growth: i8, tables: &Tables) -> Result<Sign, Error> {
+    let postures = sign.phases().map(|phase| phase.intervals + 1).sum::<usize>() * usize::from(times);
+    if postures > Sign::MOST_INTERVALS {
+        return Err(Error::new(format!(
+            "repeated {times} times it has {postures} postures; a sign has {} at most",
+            Sign::MOST_INTERVALS
+        )));
+    }
+    let mut made = sign.clone();
+    for performance in 1..usize::from(times) {
+        let size = size_of(performance, growth);
+        let grown = |own: &Manual| Manual {
+            movement: own.movement.iter().map(|m| scale::movement(m, size, tables.movements)).collect(),
+            ..own.clone()
+        };
+        let again = phase::alone(sign).map(|phase| {
+            let (strong, weak) = (grown(&phase.strong), grown(&phase.weak));
+            Sign { strong, weak, ..phase }
+        });
+        made.then.extend(again);
+    }
+    made.duration = sign.duration.map(|d| Seconds(d.0 * f64::from(times)));
     Ok(made)
 }
 

@@ -4,19 +4,20 @@
 //! Without a hand a value is for the strong hand and for a weak hand that shares it: one that follows it, or says the same.
 //! As many values as the sign has keys stand at one each; one spreads.
 
+use super::posture::without;
 use super::reflect::explicit;
-use super::{Applied, manual_mut};
+use super::{Applied, keys_of, manual_mut, phase};
 use crate::diagnostics::Error;
 use crate::phonology::reflection::Reflection;
 use crate::phonology::{
-    Channel, Configuration, Hand, Hands, Keys, Manual, Movement, NonManual, Orientation, Placement, Sign,
+    Becoming, Channel, Configuration, Hand, Hands, Keys, Manual, Movement, NonManual, Orientation, Placement, Sign,
 };
 
 /// Other hand configurations. Where the sign is a base with attested ones, the meaning follows, and what is not attested is
 /// warned of.
 pub(super) fn configuration(sign: &Sign, hand: Option<Hand>, values: &Keys<Configuration>) -> Result<Applied, Error> {
-    fits(values, sign, "configuration")?;
-    let mut made = keyed(sign, hand, values, |m| &mut m.configuration, |m| &m.configuration)?;
+    let tier = Tier { name: "configuration", read: |m| &m.configuration, write: |m| &mut m.configuration };
+    let mut made = keyed(sign, hand, values, &tier, &|b| b.configuration = None)?;
     let mut warnings = Vec::new();
     if !sign.base.is_empty() {
         let attested = |v: &Configuration| sign.base.iter().find(|a| a.configuration == *v);
@@ -40,14 +41,14 @@ pub(super) fn configuration(sign: &Sign, hand: Option<Hand>, values: &Keys<Confi
 
 /// Other orientations.
 pub(super) fn orientation(sign: &Sign, hand: Option<Hand>, values: &Keys<Orientation>) -> Result<Applied, Error> {
-    fits(values, sign, "orientation")?;
-    Ok(keyed(sign, hand, values, |m| &mut m.orientation, |m| &m.orientation)?.into())
+    let tier = Tier { name: "orientation", read: |m| &m.orientation, write: |m| &mut m.orientation };
+    Ok(keyed(sign, hand, values, &tier, &|b| b.orientation = None)?.into())
 }
 
 /// Other placements.
 pub(super) fn placement(sign: &Sign, hand: Option<Hand>, values: &Keys<Placement>) -> Result<Applied, Error> {
-    fits(values, sign, "placement")?;
-    Ok(keyed(sign, hand, values, |m| &mut m.placement, |m| &m.placement)?.into())
+    let tier = Tier { name: "placement", read: |m| &m.placement, write: |m| &mut m.placement };
+    Ok(keyed(sign, hand, values, &tier, &|_| {})?.into())
 }
 
 /// Another non-manual tier.
@@ -62,6 +63,26 @@ pub(super) fn nonmanual(sign: &Sign, channel: Channel, values: &Keys<NonManual>)
 
 /// Other movements; as many as the sign has, or any number where no tier counts them.
 pub(super) fn movement(sign: &Sign, hand: Option<Hand>, movements: &[Movement]) -> Result<Applied, Error> {
+    if sign.then.is_empty() {
+        return phase_moved(sign, hand, movements).map(Applied::from);
+    }
+    let intervals = in_phases(sign, hand, |phase| phase.intervals)?;
+    if movements.len() != intervals {
+        return Err(counts("movement", movements.len(), intervals, "movements in its phases"));
+    }
+    let mut rest = movements;
+    let made = phase::try_each(sign, |phase| {
+        if acting(phase, hand).is_err() || phase.intervals == 0 {
+            return Ok(phase.clone());
+        }
+        let (own, after) = rest.split_at(phase.intervals);
+        rest = after;
+        phase_moved(phase, hand, own)
+    });
+    made.map(Applied::from)
+}
+
+fn phase_moved(sign: &Sign, hand: Option<Hand>, movements: &[Movement]) -> Result<Sign, Error> {
     let hand = acting(sign, hand)?;
     let mut made = sign.clone();
     if movements.len() != sign.intervals {
@@ -84,7 +105,7 @@ pub(super) fn movement(sign: &Sign, hand: Option<Hand>, movements: &[Movement]) 
     if shares {
         made.weak.movement = movements.to_vec();
     }
-    Ok(made.into())
+    Ok(made)
 }
 
 /// Whether some tier has values at several keys, so that the number of keys cannot change.
@@ -110,18 +131,71 @@ fn acting(sign: &Sign, hand: Option<Hand>) -> Result<(Hand, bool), Error> {
     }
 }
 
+/// A tier of values at keys.
+struct Tier<T> {
+    name: &'static str,
+    read: fn(&Manual) -> &Keys<T>,
+    write: fn(&mut Manual) -> &mut Keys<T>,
+}
+
+/// Other values of a tier. Of several phases, one value is that of each in which the hand acts, several stand at the keys
+/// of all of these, counted through. What movements would make of the tier is `forgotten`.
 fn keyed<T: Clone + PartialEq>(
     sign: &Sign,
     hand: Option<Hand>,
     values: &Keys<T>,
-    tier: fn(&mut Manual) -> &mut Keys<T>,
-    read: fn(&Manual) -> &Keys<T>,
+    tier: &Tier<T>,
+    forgotten: &impl Fn(&mut Becoming),
+) -> Result<Sign, Error> {
+    if sign.then.is_empty() {
+        fits(values, sign, tier.name)?;
+        return phase_keyed(sign, hand, values, tier, forgotten);
+    }
+    let mut offset = 0;
+    let one_for_all = values.len() == 1 && values.stated(0).is_some();
+    let keys = in_phases(sign, hand, |phase| phase.intervals + 1)?;
+    if !one_for_all && (values.len() != keys || values.iter().any(|(key, _)| key >= keys)) {
+        return Err(counts(tier.name, values.len(), keys, "keys in its phases"));
+    }
+    phase::try_each(sign, |phase| {
+        if acting(phase, hand).is_err() {
+            return Ok(phase.clone());
+        }
+        if one_for_all {
+            return phase_keyed(phase, hand, values, tier, forgotten);
+        }
+        let own = values.iter().filter(|(key, _)| (offset..=offset + phase.intervals).contains(key));
+        let own = keys_of(own.map(|(key, value)| (key - offset, value.clone())).collect());
+        offset += phase.intervals + 1;
+        phase_keyed(phase, hand, &own, tier, forgotten)
+    })
+}
+
+/// What the phases have together in which a hand acts.
+fn in_phases(sign: &Sign, hand: Option<Hand>, count: impl Fn(&Sign) -> usize) -> Result<usize, Error> {
+    let acting_in: Vec<&Sign> = sign.phases().filter(|phase| acting(phase, hand).is_ok()).collect();
+    if acting_in.is_empty() {
+        acting(sign, hand)?;
+    }
+    Ok(acting_in.into_iter().map(count).sum())
+}
+
+fn phase_keyed<T: Clone + PartialEq>(
+    sign: &Sign,
+    hand: Option<Hand>,
+    values: &Keys<T>,
+    tier: &Tier<T>,
+    forgotten: &impl Fn(&mut Becoming),
 ) -> Result<Sign, Error> {
     let (hand, shared) = acting(sign, hand)?;
     let mut made = sign.clone();
     let both = matches!(sign.hands, Hands::Both(_));
+    let (read, write) = (tier.read, tier.write);
     if both && shared && !read(&sign.weak).is_empty() && read(&sign.weak) == read(&sign.strong) {
-        *tier(&mut made.weak) = values.clone();
+        *write(&mut made.weak) = values.clone();
+    }
+    if both && shared && (read(&sign.weak).is_empty() || read(&sign.weak) == read(&sign.strong)) {
+        forget(&mut made.weak, forgotten);
     }
     if both && !shared && hand == Hand::Strong && read(&sign.weak).is_empty() {
         // The weak hand keeps what it had while it followed.
@@ -132,10 +206,16 @@ fn keyed<T: Clone + PartialEq>(
                 Manual { configuration: sign.strong.configuration.clone(), ..Manual::default() }
             }
         };
-        *tier(&mut made.weak) = read(&weak).clone();
+        *write(&mut made.weak) = read(&weak).clone();
     }
-    *tier(manual_mut(&mut made, hand)) = values.clone();
+    let own = manual_mut(&mut made, hand);
+    *write(own) = values.clone();
+    forget(own, forgotten);
     Ok(made)
+}
+
+fn forget(own: &mut Manual, forgotten: &impl Fn(&mut Becoming)) {
+    own.movement = own.movement.iter().map(|m| m.map_actions(&|action| without(action, forgotten))).collect();
 }
 
 /// One value, or one at each key.

@@ -1,9 +1,9 @@
 //! Faster and slower, larger and smaller.
 
-use super::Tables;
+use super::{Tables, phase};
 use crate::diagnostics::Error;
 use crate::phonology::movement_table::{BySize, MovementTable};
-use crate::phonology::{Action, Extent, Manual, Motion, Movement, Sign, Size};
+use crate::phonology::{Action, Extent, Manual, Motion, Movement, Repetition, Shift, Sign, Size};
 
 /// `fast`: a sign in 0.7 of its time, a difference that signers make for emphasis and hurry.
 pub const FAST: f64 = 1.4;
@@ -36,7 +36,7 @@ pub(super) fn size(sign: &Sign, factor: f64, tables: &Tables) -> Result<Sign, Er
         movement: own.movement.iter().map(|m| movement(m, factor, tables.movements)).collect(),
         ..own.clone()
     };
-    Ok(Sign { strong: hand(&sign.strong), weak: hand(&sign.weak), ..sign.clone() })
+    Ok(phase::each(sign, |phase| Sign { strong: hand(&phase.strong), weak: hand(&phase.weak), ..phase.clone() }))
 }
 
 /// A movement so many times as large.
@@ -44,7 +44,17 @@ pub(super) fn movement(of: &Movement, factor: f64, table: &MovementTable) -> Mov
     if factor == 1.0 {
         return of.clone();
     }
-    of.map_actions(&|action| Action { motion: motion(&action.motion, factor, table), ..action.clone() })
+    let again = |r: Repetition| repetition(r, factor);
+    of.map_actions(&|action| {
+        let (motion, repetition) = (motion(&action.motion, factor, table), action.repetition.map(again));
+        Action { motion, repetition, ..action.clone() }
+    })
+    .map_repetitions(&again)
+}
+
+/// How far a repetition leads on has three sizes only.
+fn repetition(of: Repetition, factor: f64) -> Repetition {
+    Repetition { shift: of.shift.map(|s| Shift { size: stepped(s.size, factor), ..s }), ..of }
 }
 
 fn motion(of: &Motion, factor: f64, table: &MovementTable) -> Motion {

@@ -5,6 +5,7 @@
 //! letter's, unless a letter touches the body or the other hand. A letter's own movement (J, Z) is kept.
 
 use super::compound::{Part, joined};
+use super::phase::flattened;
 use super::{plain, touches};
 use crate::diagnostics::Error;
 use crate::phonology::{Action, Direction, Extent, Hands, Keys, LocationInventory, Motion, Movement, Place, Sign};
@@ -40,6 +41,7 @@ const SLIDE_M: f64 = 0.04;
 /// assert_eq!(spelled(&[Sign::named("O"), Sign::named("K")], Spelling::Held).unwrap().intervals, 3);
 /// ```
 pub fn spelled(letters: &[Sign], style: Spelling) -> Result<Sign, Error> {
+    let letters = &letters.iter().map(flattened).collect::<Result<Vec<Sign>, Error>>()?;
     let name: String = letters.iter().map(|l| l.name.as_str()).collect();
     let Some(first) = letters.first() else { return Err(Error::new("a word without letters")) };
     let locations = LocationInventory::builtin();

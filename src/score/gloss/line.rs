@@ -150,11 +150,23 @@ impl Line<'_> {
 
     /// A gaze at a sign that was placed before looks there.
     fn looked_at(&mut self, value: NonManual, channel: &Spanned<Channel>) -> Option<NonManual> {
-        let NonManualValue::At(Placement { place: Place::Referent(name), .. }) = &value.value else {
-            return Some(value);
+        let meant = match value.value {
+            NonManualValue::At(Placement { place: Place::Referent(name), .. }) => {
+                let place = self.place(&Spanned::new(Site::Referent(name), channel.span))?;
+                NonManualValue::At(Placement::at(place))
+            }
+            NonManualValue::Sequence(parts) => NonManualValue::Sequence(self.all_looked_at(parts, channel)?),
+            NonManualValue::Together(parts) => NonManualValue::Together(self.all_looked_at(parts, channel)?),
+            other @ (NonManualValue::Named(_)
+            | NonManualValue::Towards(_)
+            | NonManualValue::At(_)
+            | NonManualValue::Mouthing(_)) => other,
         };
-        let place = self.place(&Spanned::new(Site::Referent(name.clone()), channel.span))?;
-        Some(NonManual { value: NonManualValue::At(Placement::at(place)), ..value })
+        Some(NonManual { value: meant, ..value })
+    }
+
+    fn all_looked_at(&mut self, parts: Vec<NonManual>, channel: &Spanned<Channel>) -> Option<Vec<NonManual>> {
+        parts.into_iter().map(|part| self.looked_at(part, channel)).collect()
     }
 }
 
