@@ -4,6 +4,7 @@
 //! command line itself is wrong (an unknown option, a file that is not there).
 
 mod check;
+mod convert;
 mod explain;
 mod files;
 mod format;
@@ -28,7 +29,7 @@ use std::process::ExitCode;
     name = "chereme",
     version,
     arg_required_else_help = true,
-    after_help = "Examples:\n  chereme render BOL -o bol.html            see it signed, in a browser\n  chereme render \"BONJOUR, CHIEN BOL@left\" -o line.html\n                                            a line of glosses, as one motion\n  chereme new BOL -o lexicon/lsf/bol.sign   begin a sign\n  chereme check lexicon                     find its faults\n  chereme fmt lexicon                       lay it out\n  chereme explain BOL                       say it in plain words\n\nExit codes: 0 fine, 1 faults found, 2 wrong usage."
+    after_help = "Examples:\n  chereme render BOL -o bol.html            see it signed, in a browser\n  chereme render \"BONJOUR, CHIEN BOL@left\" -o line.html\n                                            a line of glosses, as one motion\n  chereme new BOL -o lexicon/lsf/bol.sign   begin a sign\n  chereme check lexicon                     find its faults\n  chereme fmt lexicon                       lay it out\n  chereme convert haus.sigml -o haus.sign   from one notation to another\n  chereme explain BOL                       say it in plain words\n\nExit codes: 0 fine, 1 faults found, 2 wrong usage."
 )]
 struct Cli {
     #[command(flatten)]
@@ -55,8 +56,10 @@ enum Command {
     Render(render::Render),
     /// Measure motions: speeds, heights, fingertips over time, as tables and figures, and against golden ones
     Profile(Box<profile::ProfileArgs>),
-    /// Find the faults of signs
+    /// Find the faults of signs, and of their motion
     Check(check::Check),
+    /// Convert signs from any notation to any other: .sign, HamNoSys, SiGML
+    Convert(convert::Convert),
     /// Lay signs out: two spaces before a tier, values in one column, comments kept
     Fmt(format::Format),
     /// List the signs, handshapes or places that are known
@@ -89,6 +92,7 @@ pub fn run() -> ExitCode {
         Command::Render(render) => render.run(&cli.sources),
         Command::Profile(profile) => profile.run(&cli.sources),
         Command::Check(check) => check.run(&cli.sources),
+        Command::Convert(convert) => convert.run(&cli.sources),
         Command::Fmt(format) => format.run(),
         Command::List(list) => list.run(&cli.sources),
         Command::New(new) => new.run(),

@@ -19,6 +19,8 @@ pub(super) struct Finder<'a> {
     words: &'a Words,
     /// The language of signs given by name, where several have one of that name.
     language: Option<&'a str>,
+    /// The notation of files and of standard input, whatever they are called; folders have several.
+    pub notation: Option<Notation>,
     /// Some text had a fault, which is told already.
     pub faulty: bool,
     /// How many signs had a fault and are left out.
@@ -38,7 +40,7 @@ pub(super) struct Found {
 
 impl<'a> Finder<'a> {
     pub(super) fn new(sources: &'a Sources, words: &'a Words, language: Option<&'a str>) -> Finder<'a> {
-        Finder { sources, words, language, faulty: false, refused: 0, lexicon: None }
+        Finder { sources, words, language, notation: None, faulty: false, refused: 0, lexicon: None }
     }
 
     /// The lexicon, if this names a sign of it or is a gloss line; `None` for a file, a folder, standard input (`-`) or a string of
@@ -67,10 +69,13 @@ impl<'a> Finder<'a> {
                 origin: Origin::of_name(&entry.sign),
             }]);
         }
-        let texts = match !Path::new(what).exists() && is_string(what) {
+        let mut texts = match !Path::new(what).exists() && is_string(what) {
             true => vec![written_out(what)],
             false => files::read_all(&[PathBuf::from(what)])?,
         };
+        if let Some(notation) = self.notation.filter(|_| !Path::new(what).is_dir()) {
+            texts.iter_mut().for_each(|text| text.notation = notation);
+        }
         let read = world::described(self.sources, self.words, texts)?;
         self.faulty |= read.checkups.iter().any(|checkup| checkup.has_faults());
         self.refused += read.checkups.iter().map(|checkup| checkup.refused).sum::<usize>();

@@ -40,6 +40,11 @@ impl Origin {
         Origin { stem: name.clone(), name, language, folder: PathBuf::new(), number: 1, of: 1 }
     }
 
+    /// Whether both stand in one file that has several signs.
+    pub(super) fn is_of_one_file_with(&self, other: &Origin) -> bool {
+        (&self.stem, &self.folder, self.of) == (&other.stem, &other.folder, other.of) && self.number != other.number
+    }
+
     /// The sign of that number among the `of` signs of a text.
     pub(super) fn of_text(sign: &Sign, text: &Text, number: usize, of: usize) -> Origin {
         let stem = text.path.as_deref().and_then(Path::file_stem).map(|stem| stem.to_string_lossy().into_owned());

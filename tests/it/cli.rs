@@ -64,7 +64,7 @@ fn check_finds_faults() {
     assert_eq!((fine.code, fine.out.as_str()), (0, "1 sound sign in 1 file: no faults\n"));
     folder.write("lsf/bad.sign", "sign X\n movement ark up\nsign Y\n movement up\n");
     let bad = run(&folder.0, &["check", "lsf"], "");
-    assert_eq!((bad.code, bad.out.as_str()), (1, "2 sound signs in 2 files: 1 fault\n"));
+    assert!(bad.code == 1 && bad.out.starts_with("2 sound signs in 2 files: 1 fault\n"), "{}", bad.out);
     assert!(bad.err.contains("lsf/bad.sign:2:11") && bad.err.contains("did you mean `arc`?"), "{}", bad.err);
     assert!(!bad.err.contains('\u{1b}'));
     let piped = run(&folder.0, &["check", "-"], GOOD);

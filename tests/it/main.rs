@@ -8,6 +8,8 @@ mod phonology_handshape;
 mod phonology_handshape_changes;
 
 mod cli;
+mod cli_check;
+mod cli_convert;
 mod cli_each;
 mod cli_profile;
 mod docs_notation;
@@ -58,3 +60,4 @@ mod synthesis_path;
 mod synthesis_plan;
 mod synthesis_routes;
 mod synthesis_sign;
+mod synthesis_verify;

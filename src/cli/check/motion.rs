@@ -141,9 +141,6 @@ pub(super) fn check(
         let file = &checkups[text].text.source.name;
         match found {
             Err(why) => {
-                if asked.loudness == Loudness::Told {
-                    progress.say(&format!("chereme: {sign} ({file}): {why}\n"));
-                }
                 refused.push(Refused { sign, file: file.clone(), why });
             }
             Ok(found) => {
@@ -189,6 +186,12 @@ impl Motion {
             self.without_findings,
             self.refused.len()
         );
+        if !self.refused.is_empty() {
+            text.push_str(&format!("\nfault: cannot be signed: {}\n", count(self.refused.len(), "sign")));
+        }
+        for Refused { sign, file, why } in self.refused.iter().take(LISTED) {
+            text.push_str(&format!("  {sign} ({file}): {why}\n"));
+        }
         for OfKind { kind, weight, signs, findings, worst } in &self.kinds {
             let (signs, findings) = (count(*signs, "sign"), count(*findings, "finding"));
             text.push_str(&format!("\n{weight}: {kind}: {signs}, {findings}\n"));
