@@ -52,6 +52,8 @@ impl Layout<'_> {
             one = other_end_first(one);
         }
         let closes = squeezed(&one).closes() && !one.iter().any(|leg| leg.end.is_placed());
+        let plays = |leg: &Leg| !leg.wrist.is_empty() || !leg.wiggle.is_empty() || leg.path.length(8) > 1e-9;
+        let only_posture = !one.iter().any(plays);
         // A way back leads on as well; without one each performance does while it lasts.
         let has_way_back = match how.kind {
             RepetitionKind::ToAndFro => true,
@@ -85,11 +87,15 @@ impl Layout<'_> {
                     let leg = Leg::still(back, self.turn_back(&legs[first..]));
                     legs.push(Leg { end: LegEnd::StartOf(first).off(step), ..leg });
                 }
+                // Nothing leads back where nothing leads away; the posture does.
                 RepetitionKind::FromStart => {
-                    // Nothing leads back where nothing leads away; the posture does.
-                    if !last && self.postures == Postures::AtStops && one.iter().any(|leg| leg.posture.changes()) {
-                        let leg = Leg::still(self.table.timing.change * 0.7, self.turn_back(&legs[first..]));
-                        legs.push(leg);
+                    let turned = match self.postures {
+                        Postures::AtStops => one.iter().any(|leg| leg.posture.changes()),
+                        Postures::Evenly => only_posture,
+                    };
+                    if !last && turned {
+                        let back = self.way_back(&legs[first..]);
+                        legs.push(Leg::still(back, self.turn_back(&legs[first..])));
                     }
                 }
                 RepetitionKind::ToAndFro => {
@@ -107,7 +113,12 @@ impl Layout<'_> {
             }
             stand = legs.last().map_or(stand, |leg| leg.posture.end().clone());
         }
-        if how.kind == RepetitionKind::Continue && self.postures == Postures::Evenly {
+        let turns_on = match how.kind {
+            RepetitionKind::Continue => true,
+            RepetitionKind::FromStart => closes && !only_posture,
+            RepetitionKind::ToAndFro => false,
+        };
+        if turns_on && self.postures == Postures::Evenly {
             evenly(&mut legs);
         }
         legs

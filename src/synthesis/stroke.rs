@@ -134,8 +134,7 @@ impl Stage<'_> {
                 frame.residual_m = wanted[n].distance(model.point(arm.hand, offset));
             }
         }
-        let wrists: Vec<DVec3> = solved.iter().map(|frame| frame.wrist).collect();
-        self.smooth(plan.side, &wrists, &mut poses[frames]);
+        self.smooth(plan.side, &solved, &mut poses[frames]);
         solved
     }
 
