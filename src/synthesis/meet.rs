@@ -19,6 +19,9 @@ use glam::DVec3;
 
 /// Points that are `close` to each other on two hands, arm lengths apart.
 const HANDS_CLOSE_ARMS: f64 = 0.06;
+/// The palms of hands that are close to each other without a word of which points, arm lengths apart: side by side before
+/// the body.
+const HANDS_BESIDE_ARMS: f64 = 0.38;
 /// Places nearer to each other are the same, metres.
 const SAME_PLACE_M: f64 = 1e-6;
 /// How far from the knuckle the fingers of interlocked hands cross, as a part of the first phalanx.
@@ -145,6 +148,9 @@ impl Planner<'_> {
     fn apart(&self, contact: &Contact) -> f64 {
         match contact.kind {
             ContactKind::Touch | ContactKind::Crossed | ContactKind::Interlocked => 0.0,
+            ContactKind::Close if contact.strong.is_none() && contact.weak.is_none() => {
+                HANDS_BESIDE_ARMS * self.signer.landmarks.arm_length()
+            }
             ContactKind::Close => HANDS_CLOSE_ARMS * self.signer.landmarks.arm_length(),
             ContactKind::Metres(metres) => within(metres, 0.0, 3.0, 0.0),
         }
@@ -172,7 +178,11 @@ impl Planner<'_> {
                     None => self.webs(side),
                 }
             }
-            (None, ContactKind::Touch | ContactKind::Close | ContactKind::Metres(_)) => {
+            (None, ContactKind::Close) => match part_of(HandPart::Palm) {
+                Some(point) => landmarks.hand_point(side, point)?,
+                None => self.webs(side),
+            },
+            (None, ContactKind::Touch | ContactKind::Metres(_)) => {
                 let point = self.open_point(part.sign, part.hand, key)?;
                 landmarks.hand_point(side, point)?
             }

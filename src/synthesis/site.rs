@@ -40,7 +40,7 @@ impl<'s> Asker<'s> {
 }
 
 /// One hand before the middle of the body is a little to its own side, arm lengths.
-const ONE_HAND_ARMS: f64 = 0.04;
+const ONE_HAND_ARMS: f64 = 0.01;
 
 /// The signing space before a region of the body: how far out it is, and how far to the sides; arm lengths from the middle of
 /// the shoulders. Measured on the field's reference engine of HamNoSys (docs/reference.md).
@@ -55,8 +55,8 @@ struct Before {
 /// Where a hand is that is somewhere before a region; `None` where its distance is from the skin.
 fn before_the_body(distance: Distance) -> Option<Before> {
     match distance {
-        Distance::Close => Some(Before { out: 0.72, at: 0.30, beside: 0.62, apart: 0.19 }),
-        Distance::Unmarked => Some(Before { out: 0.86, at: 0.34, beside: 0.66, apart: 0.27 }),
+        Distance::Close => Some(Before { out: 0.74, at: 0.29, beside: 0.61, apart: 0.18 }),
+        Distance::Unmarked => Some(Before { out: 0.88, at: 0.33, beside: 0.65, apart: 0.26 }),
         Distance::Extended => Some(Before { out: 1.02, at: 0.38, beside: 0.70, apart: 0.42 }),
         Distance::Touch | Distance::Neutral | Distance::Metres(_) => None,
     }
@@ -114,7 +114,7 @@ impl Planner<'_> {
                 let mut half = |sited: &Sited| {
                     let lateral = sited.lateral.or(placement.lateral);
                     let one = Placement { place: sited.place.clone(), lateral, offset: None, ..placement.clone() };
-                    self.anchor(&one, Asker { meeting: Meeting::Meets, ..asker }, known)
+                    self.anchor(&one, asker, known)
                 };
                 Anchor::Middle(vec![half(a)?, half(b)?])
             }

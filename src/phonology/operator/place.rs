@@ -27,7 +27,11 @@ pub fn touches(placement: &Placement, locations: &LocationInventory) -> bool {
             _ => Distance::Neutral,
         },
         (Place::OtherHand(_), Distance::Unmarked) => Distance::Touch,
-        (Place::Between(..), Distance::Unmarked) => Distance::Touch,
+        // Between two places a hand touches where it would touch both.
+        (Place::Between(a, b), _) => {
+            let half = |place: &Place| touches(&Placement { place: place.clone(), ..placement.clone() }, locations);
+            return half(&a.place) && half(&b.place);
+        }
         (_, distance) => distance,
     };
     match distance {
