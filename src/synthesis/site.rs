@@ -85,9 +85,9 @@ impl Planner<'_> {
         self.anchor(placement, asker, known)
     }
 
-    /// Where a hand is of which no place is said.
+    /// Where a hand is of which no place is said: at ease before the chest.
     pub(super) fn default_place(&self, asker: Asker, known: &mut Known) -> Result<Anchor, Error> {
-        self.anchor(&Placement::at(Place::Body("neutral".into())), asker, known)
+        self.anchor(&Placement::at(Place::Body("chest".into())), asker, known)
     }
 
     /// Where a placement is.
