@@ -40,14 +40,18 @@ impl Roll {
     /// assert!((facing(Direction::UP, "d") - Direction::OUT.vector()).length() < 1e-12);
     /// // Fingers left: the symbol "left" faces the signer.
     /// assert!((facing(Direction::LEFT, "l") - Direction::IN.vector()).length() < 1e-12);
+    /// // A hand that points back to the signer: left is left still.
+    /// assert!((facing(Direction::IN, "l") - Direction::LEFT.vector()).length() < 1e-12);
     /// ```
     pub fn palm(self, fingers: DVec3) -> DVec3 {
         let fingers = fingers.normalize_or(DVec3::Z);
         let elevation = fingers.y.clamp(-1.0, 1.0).asin();
         let level = fingers.x.hypot(fingers.z);
         let azimuth = if level < 1e-9 { 0.0 } else { fingers.x.atan2(fingers.z) };
-        // Clockwise from up as the signer sees it; the signer's right is −X.
-        let angle = f64::from(self.0) * std::f64::consts::FRAC_PI_4;
+        // Clockwise from up as the signer sees it; the signer's right is −X. Left and right stay the signer's where the
+        // fingers point back to the signer.
+        let turned = if fingers.z < -1e-9 { -1.0 } else { 1.0 };
+        let angle = turned * f64::from(self.0) * std::f64::consts::FRAC_PI_4;
         let drawn = DVec3::new(-angle.sin(), angle.cos(), 0.0);
         DQuat::from_rotation_y(azimuth) * (DQuat::from_rotation_x(-elevation) * drawn)
     }

@@ -134,7 +134,8 @@ impl Stage<'_> {
                 frame.residual_m = wanted[n].distance(model.point(arm.hand, offset));
             }
         }
-        self.smooth(plan.side, &solved, &mut poses[frames]);
+        let wrists: Vec<DVec3> = solved.iter().map(|frame| frame.wrist).collect();
+        self.smooth(plan.side, &wrists, &mut poses[frames]);
         solved
     }
 

@@ -205,7 +205,7 @@ fn render_writes_pages_and_files_and_overwrites_nothing_unasked() {
 fn render_says_what_it_cannot_do() {
     let folder = Folder::new("render-faults");
     folder.write("two.sign", &format!("{GOOD}sign CHAT\n  movement  down 10cm\n"));
-    folder.write("fast.sign", "sign FAST\n  movement  up 60cm duration 0.1s\n");
+    folder.write("fast.sign", "sign FAST\n  placement chest, 20cm away\n  movement  up 60cm duration 0.1s\n");
     for (args, code, words) in [
         (&["render", "two.sign", "-o", "x.html"][..], 2, "--sign"),
         (&["render", "two.sign", "--sign", "CHIEN", "-o", "x.html"], 1, "CHIEN"),

@@ -66,7 +66,7 @@ fn motion_is_checked_and_only_what_nobody_can_use_is_a_fault() {
     assert_eq!(fine.code, 0, "{}{}", fine.out, fine.err);
     assert!(fine.out.contains("1 sign signed at 30 frames a second"), "{}", fine.out);
     // Faster than signers sign, but not than anyone can.
-    folder.write("fast.sign", "sign FAST\n  movement  up 40cm duration 0.2s\n");
+    folder.write("fast.sign", "sign FAST\n  placement chest, 20cm away\n  movement  up 40cm duration 0.2s\n");
     let fast = run(&folder.0, &["check", "fast.sign", "--motion"], "");
     assert_eq!(fast.code, 0, "{}{}", fast.out, fast.err);
     assert!(
@@ -82,7 +82,7 @@ fn motion_is_checked_and_only_what_nobody_can_use_is_a_fault() {
     let bent = run(&folder.0, &["check", "bent.sign", "--motion"], "");
     assert_eq!(bent.code, 0, "{}{}", bent.out, bent.err);
     assert!(bent.out.contains("exception: orientation beyond the wrist: 1 sign"), "{}", bent.out);
-    folder.write("never.sign", "sign NEVER\n  movement  up 60cm duration 0.1s\n");
+    folder.write("never.sign", "sign NEVER\n  placement chest, 20cm away\n  movement  up 60cm duration 0.1s\n");
     let never = run(&folder.0, &["check", "never.sign", "--motion", "-q"], "");
     assert_eq!(never.code, 1);
     assert!(never.out.contains("cannot be signed: 1 sign") && never.out.contains("give it more time"), "{}", never.out);

@@ -105,10 +105,10 @@ fn repeats(sign: &Sign) -> bool {
 
 #[test]
 fn a_hurried_sign_is_warned_of_and_an_impossible_one_refused() {
-    let hurried = sign("sign X\n movement up 60cm duration 0.3s\n");
+    let hurried = sign("sign X\n placement chest, 20cm away\n movement up 60cm duration 0.3s\n");
     let performance = perform(&hurried);
     assert!(performance.report.warnings.iter().any(|w| w.contains("m/s")), "{:?}", performance.report.warnings);
-    let impossible = sign("sign X\n movement up 60cm duration 0.1s\n");
+    let impossible = sign("sign X\n placement chest, 20cm away\n movement up 60cm duration 0.1s\n");
     let world = world();
     let refused = chereme::synthesis::synthesize(&impossible, &world.grammar, &world.signer, &Options::default());
     assert!(refused.is_err_and(|e| e.to_string().contains("more time")));

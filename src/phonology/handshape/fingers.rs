@@ -2,7 +2,7 @@
 
 use super::angles::FingerAngles;
 use super::change::Shaping;
-use super::shape::Handshape;
+use super::shape::{Handshape, ThumbGoal};
 use super::thumb::Wish;
 use crate::phonology::{Bend, Digit, Digits, HandPart};
 
@@ -114,6 +114,12 @@ impl Shaping<'_> {
             }
         }
         self.selected = fingers;
+        // A pinch of other fingers: the thumb goes to them.
+        let pinches =
+            matches!(self.row.thumb, ThumbGoal::Touch(..)) && self.row.written.is_some_and(|w| w.meets_thumb());
+        if pinches && self.thumb.wish == Wish::Own {
+            self.thumb.wish = Wish::At(HandPart::Pad);
+        }
     }
 
     pub(super) fn spread_out(&mut self, spread: bool) {

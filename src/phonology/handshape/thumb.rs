@@ -100,7 +100,10 @@ impl Shaping<'_> {
             | HandPart::ElbowInside
             | HandPart::UpperArm => |t| t == ThumbTarget::Pad,
         };
-        let found = self.nearest_row(|row| touches(row, wanted));
+        // Of several fingers that meet the thumb, one that touches them all is best.
+        let all = |row: &Handshape| self.selected.iter().all(|digit| touched(&row.thumb, digit));
+        let found = self.nearest_row(|row| touches(row, wanted) && all(row));
+        let found = found.or_else(|| self.nearest_row(|row| touches(row, wanted)));
         let found = found.or_else(|| self.nearest_row(|row| touches(row, |t| t == ThumbTarget::Pad)));
         found.map_or(self.thumb.angles, |row| row.angles().thumb)
     }
