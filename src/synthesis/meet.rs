@@ -22,6 +22,8 @@ const HANDS_CLOSE_ARMS: f64 = 0.06;
 /// The palms of hands that are close to each other without a word of which points, arm lengths apart: side by side before
 /// the body.
 const HANDS_BESIDE_ARMS: f64 = 0.38;
+/// How much farther from the other hand one stays that goes over to it.
+const FARTHER: f64 = 2.2;
 /// Places nearer to each other are the same, metres.
 const SAME_PLACE_M: f64 = 1e-6;
 /// How far from the knuckle the fingers of interlocked hands cross, as a part of the first phalanx.
@@ -119,7 +121,9 @@ impl Planner<'_> {
     fn over_other(&self, part: Part, contact: &Contact, key: usize) -> Result<Anchor, Error> {
         let other = Part { hand: part.hand.other(), ..part };
         let point = self.meeting_point(other, contact, key)?;
-        Ok(Anchor::over_contact(&point, self.apart(contact)))
+        // A hand that goes over to the other stays farther off than two that come to one middle.
+        let farther = if contact.kind == ContactKind::Close { FARTHER } else { 1.0 };
+        Ok(Anchor::over_contact(&point, farther * self.apart(contact)))
     }
 
     /// Where a leg ends that leads the hands together within an interval: the strong hand goes to the weak one, which

@@ -148,7 +148,8 @@ impl Planner<'_> {
         let meeting = asker.meeting == Meeting::Meets;
         let landmarks = &self.signer.landmarks;
         let row = self.grammar.locations.get(name).ok_or_else(|| Error::new(format!("no place is called {name}")))?;
-        let both = matches!(sign.hands, Hands::Both(Some(_)));
+        // A weak hand with places of its own says where each of the two is.
+        let both = matches!(sign.hands, Hands::Both(Some(_))) && sign.weak.placement.is_empty();
         if let (Some(height), Some(space)) = (row.space, before_the_body(placement.distance)) {
             let across = match placement.lateral {
                 Some(Lateral { side, beside: true }) => side.sign() * space.beside,

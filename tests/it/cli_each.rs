@@ -34,7 +34,7 @@ fn each_writes_one_file_a_sign_and_tells_all_in_order_on_any_number_of_cores() {
     let folder = Folder::new("each");
     for n in 0..40 {
         let sign = match n % 10 {
-            7 => format!("sign S{n}\n  placement belowstomach right, 15cm away\n  movement  up 60cm duration 0.1s\n"),
+            7 => format!("sign S{n}\n  placement belowstomach right, 15cm away\n  movement  up 60cm duration 0.05s\n"),
             _ => format!("sign S{n}\n  movement  up {}cm\n", 5 + n % 7),
         };
         folder.write(&format!("in/{}/s{n:02}.sign", if n < 20 { "lsf" } else { "dgs" }), &sign);
@@ -42,7 +42,7 @@ fn each_writes_one_file_a_sign_and_tells_all_in_order_on_any_number_of_cores() {
     folder.write("in/lsf/bad.sign", "sign X\n  movement ark up\n");
     let render = |jobs: &str, out: &str| {
         let out = format!("{out}/{{language}}/{{stem}}.bvh");
-        run(&folder.0, &["render", "in", "--each", "-o", &out, "--jobs", jobs, "--fps", "10"], "")
+        run(&folder.0, &["render", "in", "--each", "-o", &out, "--jobs", jobs, "--fps", "30"], "")
     };
     let (one, four) = (render("1", "one"), render("4", "four"));
     assert_eq!((one.code, four.code), (1, 1), "{}", one.err);
