@@ -79,7 +79,9 @@ pub fn facing(fingers: Heading, palm: DVec3) -> Heading {
         // What lies nearly along the fingers says nothing of the palm.
         if across.length() < 0.3 { f64::INFINITY } else { across.angle_between(palm) }
     };
-    let plain = Direction::all().map(Heading::Toward);
+    // The plainest of several that say the same: `left` before `up-in-left`.
+    let axes = |d: &Direction| d.signs().iter().filter(|s| **s != 0).count();
+    let plain = (1..=3).flat_map(|n| Direction::all().filter(move |d| axes(d) == n)).map(Heading::Toward);
     let between = Direction::all().flat_map(|a| {
         Direction::all()
             .filter(move |b| a < *b && a.vector().dot(b.vector()) > 0.0)

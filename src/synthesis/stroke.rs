@@ -134,8 +134,7 @@ impl Stage<'_> {
                 frame.residual_m = wanted[n].distance(model.point(arm.hand, offset));
             }
         }
-        let wrists: Vec<DVec3> = solved.iter().map(|frame| frame.wrist).collect();
-        self.smooth(plan.side, &wrists, &mut poses[frames]);
+        self.smooth(plan.side, &solved, &mut poses[frames]);
         solved
     }
 
@@ -197,7 +196,11 @@ impl Stage<'_> {
             for (finger, bend) in now.wiggle(plan).into_iter().flatten().enumerate() {
                 // Flexion is about ∓Z.
                 let knuckle = 3 * (finger + 1);
-                fingers[knuckle] *= DQuat::from_rotation_z(-bend * plan.side.sign());
+                let out = -plan.side.sign();
+                let bent = 2.0 * (fingers[knuckle].z * out).atan2(fingers[knuckle].w.abs());
+                // A knuckle that is bent already plays less.
+                let bend = bend.min((KNUCKLE_MOST - bent).max(0.0));
+                fingers[knuckle] *= DQuat::from_rotation_z(bend * out);
             }
             for (joint, rotation) in joints.iter().zip(fingers) {
                 pose.set(*joint, rotation);
@@ -205,6 +208,9 @@ impl Stage<'_> {
         }
     }
 }
+
+/// How far a playing knuckle bends, radians.
+const KNUCKLE_MOST: f64 = 98.0 * std::f64::consts::PI / 180.0;
 
 /// The plan with the ways of a hand that lets go of the other one standing where they begin; `None` where none does.
 fn let_go(plan: &HandPlan, instants: &[Instant], models: &[ModelPose]) -> Option<HandPlan> {

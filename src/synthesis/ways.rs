@@ -3,14 +3,17 @@
 //! A hand goes straight from one stroke to its next one, the handshape forming early; where it has time for it, or the
 //! line rests, it returns to the neutral pose meanwhile.
 
+use super::smooth::write_wrist;
 use super::stage::{Posture, Stage};
 use super::stroke::Stint;
+use crate::body::arm::{ArmRig, WristLimits};
+use crate::motion::arm::{ArmAngles, orient};
 use crate::motion::pose::LocalPose;
 use crate::motion::rotation::twist_angle;
 use crate::motion::short_arc::ShortArc;
 use crate::motion::skeleton::JointId;
 use crate::phonology::Side;
-use glam::DQuat;
+use glam::{DQuat, DVec3};
 use std::ops::Range;
 
 /// A way of one arm: its frames, and its two ends in seconds.
@@ -93,6 +96,7 @@ impl Stage<'_> {
         let arm_arcs: [ShortArc; 4] = std::array::from_fn(|j| ShortArc::new(way.from.arm[j], way.to.arm[j]));
         let finger_arcs: [ShortArc; 15] =
             std::array::from_fn(|j| ShortArc::new(way.from.fingers[j], way.to.fingers[j]));
+        let wrist = over_the_limits(arm, way.from.arm[3], way.to.arm[3]);
         let whole = (way.end - way.begin).max(1e-9);
         let ease =
             |joints: &[JointId], arcs: &[ShortArc], ends: (&[DQuat], &[DQuat]), share: f64, pose: &mut LocalPose| {
@@ -111,8 +115,27 @@ impl Stage<'_> {
             let share = (i as f64 / fps - way.begin) / whole;
             ease(&arm_joints, &arm_arcs, (&way.from.arm, &way.to.arm), share, pose);
             ease(&finger_joints, &finger_arcs, (&way.from.fingers, &way.to.fingers), share / way.lead, pose);
-            let twist = twist_angle(pose.rotation(arm.hand), arm.rest.fore());
-            arm.write_twist(twist, pose);
+            match &wrist {
+                Some((from, to)) => write_wrist(arm, from, to, easing.weight(share), pose),
+                None => {
+                    let twist = twist_angle(pose.rotation(arm.hand), arm.rest.fore());
+                    arm.write_twist(twist, pose);
+                }
+            }
         }
     }
+}
+
+/// The wrist's angles at both ends of a way whose short arc would turn the forearm farther than it goes, where both ends
+/// lie within the limits: then the way leads through the middle.
+fn over_the_limits(arm: &ArmRig, from: DQuat, to: DQuat) -> Option<(ArmAngles, ArmAngles)> {
+    let limits = WristLimits::ANATOMICAL.scaled(1.1);
+    let angles = |hand: DQuat| {
+        let along = arm.rest.fore();
+        orient(&arm.rest, DQuat::IDENTITY, [-along * arm.upper_m, DVec3::ZERO, along * arm.fore_m], hand, None).angles
+    };
+    let arc = ShortArc::new(from, to);
+    let outside = |hand: DQuat| twist_angle(hand, arm.rest.fore()).abs() > limits.twist;
+    let strays = [0.2, 0.35, 0.5, 0.65, 0.8].into_iter().any(|weight| outside(arc.at(weight)));
+    (strays && !outside(from) && !outside(to)).then(|| (angles(from), angles(to)))
 }

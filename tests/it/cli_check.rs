@@ -82,7 +82,10 @@ fn motion_is_checked_and_only_what_nobody_can_use_is_a_fault() {
     let bent = run(&folder.0, &["check", "bent.sign", "--motion"], "");
     assert_eq!(bent.code, 0, "{}{}", bent.out, bent.err);
     assert!(bent.out.contains("exception: orientation beyond the wrist: 1 sign"), "{}", bent.out);
-    folder.write("never.sign", "sign NEVER\n  placement chest, 20cm away\n  movement  up 60cm duration 0.1s\n");
+    folder.write(
+        "never.sign",
+        "sign NEVER\n  placement belowstomach right, 15cm away\n  movement  up 60cm duration 0.17s\n",
+    );
     let never = run(&folder.0, &["check", "never.sign", "--motion", "-q"], "");
     assert_eq!(never.code, 1);
     assert!(never.out.contains("cannot be signed: 1 sign") && never.out.contains("give it more time"), "{}", never.out);

@@ -34,7 +34,7 @@ fn each_writes_one_file_a_sign_and_tells_all_in_order_on_any_number_of_cores() {
     let folder = Folder::new("each");
     for n in 0..40 {
         let sign = match n % 10 {
-            7 => format!("sign S{n}\n  placement belowstomach right, 15cm away\n  movement  up 60cm duration 0.05s\n"),
+            7 => format!("sign S{n}\n  placement belowstomach right, 15cm away\n  movement  up 60cm duration 0.17s\n"),
             _ => format!("sign S{n}\n  movement  up {}cm\n", 5 + n % 7),
         };
         folder.write(&format!("in/{}/s{n:02}.sign", if n < 20 { "lsf" } else { "dgs" }), &sign);

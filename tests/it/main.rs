@@ -20,6 +20,7 @@ mod format_glb_write;
 mod format_html;
 mod format_svg;
 mod golden;
+mod hamnosys_meaning;
 mod hamnosys_parse;
 mod hamnosys_table;
 mod layers;

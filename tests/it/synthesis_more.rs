@@ -509,7 +509,8 @@ fn contacts_hold_in_all_their_kinds() {
         for (kind, apart) in [
             (ContactKind::Touch, 0.0),
             (ContactKind::Crossed, 0.0),
-            (ContactKind::Close, 0.06 * arm),
+            // A hand that goes over to the other stays farther off.
+            (ContactKind::Close, if text == BOTH { 0.132 * arm } else { 0.06 * arm }),
             (ContactKind::Metres(0.1), 0.1),
         ] {
             for (strong, weak) in [(tip, palm), (palm, back), (palm, palm)] {

@@ -17,8 +17,6 @@ const OFF: f64 = 0.01;
 /// How far a measured distance may differ from what the report admits and still be the same, metres: the instant of a key lies between
 /// two frames.
 const SAME: f64 = 3e-3;
-/// Points that are `close` to each other on two hands, arm lengths apart.
-const HANDS_CLOSE_ARMS: f64 = 0.06;
 
 impl Checking<'_> {
     /// Contact points that are away from what the key says they touch.
@@ -51,9 +49,9 @@ impl Checking<'_> {
     fn between_hands(&self, contact: &Contact, key: &Key) -> Option<f64> {
         let apart = match contact.kind {
             ContactKind::Touch => 0.0,
-            ContactKind::Close => HANDS_CLOSE_ARMS * self.signer.landmarks.arm_length(),
             ContactKind::Metres(metres) => metres,
-            ContactKind::Crossed | ContactKind::Interlocked => return None,
+            // Hands that are near each other have no contact.
+            ContactKind::Close | ContactKind::Crossed | ContactKind::Interlocked => return None,
         };
         let weak = resolve(key.phase, Hand::Weak);
         let strong = self.point(contact.strong, &key.said.configuration, key, key.side)?;

@@ -44,7 +44,7 @@ impl Checking<'_> {
         let [least, most] = LASTS;
         let intervals: usize = self.sign.phases().map(|phase| phase.intervals).sum();
         let (kind, bound) = match lasts {
-            short if short < least => (Kind::Short, least),
+            short if short < least - 1e-6 => (Kind::Short, least),
             long if long > most && intervals <= LONG_SIGN => (Kind::Long, most),
             _ => return None,
         };

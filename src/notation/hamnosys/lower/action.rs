@@ -9,7 +9,7 @@ use super::super::syntax::{
 use super::location::contact_kind;
 use super::nonmanual::pace;
 use super::orientation::heading;
-use super::phase::{Phases, splits_action};
+use super::phase::{Phases, replaced_in, splits_action};
 use super::shape::successive;
 use crate::diagnostics::Diagnostic;
 use crate::phonology::{
@@ -37,7 +37,7 @@ impl Phases<'_> {
         if shared && let Some(mirror) = self.reflection() {
             // A part that both hands share: the weak one does it in the mirror.
             let movement = self.movement(action, Hand::Strong, depth).map(|m| mirror.movement(&m));
-            if depth == Depth::Key {
+            if depth == Depth::Key && replaced_in(action).is_some() {
                 self.followed_values(action);
             }
             return movement;

@@ -116,7 +116,7 @@ fn splits_posture(p: &Posture) -> bool {
 fn splits_location(l: &Location) -> bool {
     match l {
         Location::One(_) => false,
-        Location::Split(..) => true,
+        Location::Split(_, weak) => weak.is_some(),
         Location::Constellation(c) => c.points.is_some(),
     }
 }
@@ -125,7 +125,7 @@ fn splits_location(l: &Location) -> bool {
 pub(super) fn splits_action(action: &Action) -> bool {
     match action {
         Action::Move(one) => matches!(&one.motion, syntax::Motion::Replace(p) if splits_posture(p)),
-        Action::Target(inner, location) => splits_action(inner) || matches!(location, Location::Split(..)),
+        Action::Target(inner, location) => splits_action(inner) || matches!(location, Location::Split(_, Some(_))),
         Action::Together(all) | Action::Sequence(all) | Action::Fused(all) => all.iter().any(splits_action),
         Action::Split(..) => true,
         Action::Repeated(inner, _) | Action::Alternating(inner, _) => splits_action(inner),
@@ -456,7 +456,7 @@ fn mirrored_palm(palm: Palm, strong_fingers: Option<Fingers>, mirror: Reflection
 }
 
 /// The posture that an action of the own line changes to.
-fn replaced_in(action: &Action) -> Option<Posture> {
+pub(super) fn replaced_in(action: &Action) -> Option<Posture> {
     match action {
         Action::Move(one) => match &one.motion {
             syntax::Motion::Replace(posture) => Some(posture.clone()),

@@ -22,7 +22,21 @@ impl Raising<'_> {
         };
         match movement {
             Movement::Action(action) => self.single(action, hand, pending),
-            Movement::Together(parts) => Action::Together(all(self, parts)),
+            Movement::Together(parts) => {
+                let mut written = all(self, parts);
+                // A change that another one has said already adds nothing.
+                let says = |a: &Action| !matches!(a, Action::Move(one) if one.motion == Motion::Nothing);
+                if written.iter().any(says) {
+                    written.retain(says);
+                }
+                match (written.len(), written.pop()) {
+                    (1, Some(one)) => one,
+                    (_, last) => {
+                        written.extend(last);
+                        Action::Together(written)
+                    }
+                }
+            }
             // Within a sequence a change says itself what it changes.
             Movement::Sequence(parts) => Action::Sequence(self.inside(parts, hand)),
             Movement::Fused(parts) => Action::Fused(self.inside(parts, hand)),
