@@ -133,7 +133,7 @@ impl<'a> Check<'a> {
                 format!("the half-width of {} is {}, not a width in arm lengths", row.id, row.half_width),
             );
         }
-        if row.space.is_some_and(|height| !(height.abs() <= 2.0)) {
+        if row.space.is_some_and(|height| !(-2.0..=2.0).contains(&height)) {
             self.fault(id_span, format!("the signing space of {} is at no height of a body", row.id));
         }
         let unmarked = match row.unmarked {

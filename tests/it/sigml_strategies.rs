@@ -361,7 +361,8 @@ fn action() -> BoxedStrategy<Action> {
             several().prop_map(Action::Together),
             several().prop_map(Action::Sequence),
             several().prop_map(Action::Fused),
-            (inner.clone(), location()).prop_map(|(action, location)| Action::Target(Box::new(action), location)),
+            (inner.clone(), location())
+                .prop_map(|(action, location)| Action::Target(Box::new(action), Box::new(location))),
             (of(inner.clone()), of(inner.clone())).prop_map(|(strong, weak)| Action::Split(hand(strong), hand(weak))),
             (inner.clone(), repetition()).prop_map(|(action, how)| Action::Repeated(Box::new(action), how)),
             (inner.clone(), select(vec![Times::Once, Times::Twice])).prop_map(alternating),

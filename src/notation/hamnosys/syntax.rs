@@ -575,7 +575,7 @@ pub enum Action {
     /// One movement.
     Move(Box<Move>),
     /// An action that ends at a place (`tgt_motion`). A target without a movement of its own wraps `Motion::Nothing`.
-    Target(Box<Action>, Location),
+    Target(Box<Action>, Box<Location>),
     /// At the same time (`hamparbegin`, `par_motion`).
     Together(Vec<Action>),
     /// One after the other (`hamseqbegin`, `seq_motion`).

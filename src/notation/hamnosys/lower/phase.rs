@@ -125,7 +125,7 @@ fn splits_location(l: &Location) -> bool {
 pub(super) fn splits_action(action: &Action) -> bool {
     match action {
         Action::Move(one) => matches!(&one.motion, syntax::Motion::Replace(p) if splits_posture(p)),
-        Action::Target(inner, location) => splits_action(inner) || matches!(location, Location::Split(_, Some(_))),
+        Action::Target(inner, location) => splits_action(inner) || matches!(**location, Location::Split(_, Some(_))),
         Action::Together(all) | Action::Sequence(all) | Action::Fused(all) => all.iter().any(splits_action),
         Action::Split(..) => true,
         Action::Repeated(inner, _) | Action::Alternating(inner, _) => splits_action(inner),
@@ -133,7 +133,7 @@ pub(super) fn splits_action(action: &Action) -> bool {
     }
 }
 
-fn share<'s, T>(split: Option<&'s Split<T>>, hand: Hand) -> Option<&'s T> {
+fn share<T>(split: Option<&Split<T>>, hand: Hand) -> Option<&T> {
     match (split?, hand) {
         (Split::Both(value), _) => Some(value),
         (Split::Each(strong, _), Hand::Strong) => strong.as_ref(),

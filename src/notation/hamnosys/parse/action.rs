@@ -56,7 +56,7 @@ impl Parser {
         match self.peek() {
             Some(Kind::Nothing) => true,
             Some(Kind::Open(_)) => {
-                !self.location_ahead() && !self.repetition_ahead() && !(self.splits_postures() && self.plus_inside())
+                !(self.location_ahead() || self.repetition_ahead() || self.splits_postures() && self.plus_inside())
             }
             Some(kind) => is_motion(kind) && kind != Kind::Brushing,
             None => false,
@@ -106,7 +106,7 @@ impl Parser {
                     at_place = false;
                 }
                 _other if !at_place && self.location_ahead() => {
-                    action = Action::Target(Box::new(action), self.location()?);
+                    action = Action::Target(Box::new(action), Box::new(self.location()?));
                     at_place = true;
                 }
                 _other => return Ok(action),

@@ -192,7 +192,8 @@ impl Parser {
             }
             (second, first) => {
                 phase.location = first;
-                let target = Action::Target(Box::new(Action::Move(Box::new(Move::of(Motion::Nothing)))), second);
+                let target =
+                    Action::Target(Box::new(Action::Move(Box::new(Move::of(Motion::Nothing)))), Box::new(second));
                 phase.actions.push(target);
             }
         }
@@ -223,7 +224,7 @@ impl Parser {
     fn places_of_split(&mut self, phase: &mut Phase, strong: Option<Site>, weak: Option<Site>) -> Read<()> {
         let location = match points(strong, weak) {
             Ok(both) => self.constellation(Some(both))?,
-            Err(location) => location,
+            Err(location) => *location,
         };
         if phase.location.is_none() {
             phase.location = Some(location);

@@ -246,7 +246,7 @@ impl Parser {
                 Ok(points) => self.constellation(Some(points)),
                 Err(mut location) => {
                     self.contact_of_split(&mut location);
-                    Ok(location)
+                    Ok(*location)
                 }
             },
             (Some(site), None) => Ok(Location::One(site)),
@@ -298,13 +298,14 @@ impl Parser {
 
 /// The points of two hands at each other, where both sites are parts of hands or arms of which nothing more is said;
 /// else the places of the two hands.
-pub(super) fn points(strong: Option<Site>, weak: Option<Site>) -> Result<(HandLevels, HandLevels), Location> {
-    if strong.as_ref().is_some_and(is_point) && weak.as_ref().is_some_and(is_point) {
-        if let (Some(strong), Some(weak)) = (strong.clone().and_then(point), weak.clone().and_then(point)) {
-            return Ok((strong, weak));
-        }
+pub(super) fn points(strong: Option<Site>, weak: Option<Site>) -> Result<(HandLevels, HandLevels), Box<Location>> {
+    if strong.as_ref().is_some_and(is_point)
+        && weak.as_ref().is_some_and(is_point)
+        && let (Some(strong), Some(weak)) = (strong.clone().and_then(point), weak.clone().and_then(point))
+    {
+        return Ok((strong, weak));
     }
-    Err(Location::Split(strong, weak))
+    Err(Box::new(Location::Split(strong, weak)))
 }
 
 /// Whether a site is a part of a hand or arm, and no more is said of it.

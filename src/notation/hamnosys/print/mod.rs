@@ -66,7 +66,7 @@ pub fn text(symbols: &[Symbol], form: Form) -> String {
 /// The symbols of phases.
 ///
 /// # Errors
-/// As [`print`].
+/// As [`print()`].
 pub fn tokens(phases: &[Phase]) -> Result<Vec<Symbol>, Vec<String>> {
     let mut writer = Writer { out: Vec::new(), unsaid: Vec::new(), handed: Handed::One };
     for (i, phase) in phases.iter().enumerate() {

@@ -260,7 +260,7 @@ impl Raising<'_> {
 
 fn target(action: Action, location: Option<Location>) -> Action {
     match location {
-        Some(location) => Action::Target(Box::new(action), location),
+        Some(location) => Action::Target(Box::new(action), Box::new(location)),
         None => action,
     }
 }
@@ -280,7 +280,7 @@ fn ends(heading: Heading) -> (Direction, Option<Direction>) {
 /// The arc symbol (up, right, down, left as drawn) nearest to a bulge.
 fn nearest_quarter(direction: Heading, bulge: Heading) -> Roll {
     let along = direction.vector();
-    let quarters = Roll::all().filter(|r| eighths(*r) % 2 == 0);
+    let quarters = Roll::all().filter(|r| eighths(*r).is_multiple_of(2));
     let nearest = quarters.max_by(|a, b| {
         let near = |r: &Roll| r.palm(along).dot(bulge.vector());
         near(a).total_cmp(&near(b))

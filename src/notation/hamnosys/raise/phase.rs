@@ -246,7 +246,7 @@ impl Raising<'_> {
             }
         };
         match self.location(sign, key) {
-            Some(location) => Action::Target(Box::new(action), location),
+            Some(location) => Action::Target(Box::new(action), Box::new(location)),
             None => action,
         }
     }

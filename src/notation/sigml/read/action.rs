@@ -114,7 +114,7 @@ impl<'a> Reader<'a> {
         }
         let inner = self.one(actions, if changes { Join::Together } else { Join::Sequence }, node)?;
         Some(manner.alternate(match location {
-            Some(location) => Action::Target(Box::new(inner), location),
+            Some(location) => Action::Target(Box::new(inner), Box::new(location)),
             None => inner,
         }))
     }
