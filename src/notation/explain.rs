@@ -7,6 +7,7 @@ mod french;
 mod french_movement;
 mod french_noun;
 mod phrases;
+mod summary;
 
 use crate::phonology::recombination::Recombination;
 use crate::phonology::{Action, Hand, Hands, Keys, LocationInventory, Manual, Motion, Movement, Relation, Sign};
@@ -81,7 +82,7 @@ pub fn explain_in(sign: &Sign, from: Option<&Recombination>, tongue: Tongue) -> 
             let stays = if phase.holds_over { p.other_stays } else { "" };
             out.push_str(&format!("  {} {}{stays}{}\n", p.phase[number.min(1)], number + 1, p.colon.trim_end()));
         }
-        let mut lines = String::new();
+        let mut lines = format!("  {}\n", summary::sentence(phase, &sign.language, tongue));
         explain_phase(phase, tongue, &mut lines);
         if number > 0 {
             times(phase, tongue).into_iter().for_each(|(label, text)| say(&mut lines, p, label, &text, p.stated));

@@ -5,7 +5,7 @@ use chereme::diagnostics::{Severity, Source};
 use chereme::notation::formats::{Form, Notation, Words, read_any, write_any};
 use chereme::notation::hamnosys::{Dictionary, lower, parse, print, raise};
 use chereme::notation::sigml;
-use chereme::phonology::{Hands, Heading, Motion, Movement, Sign};
+use chereme::phonology::{Configuration, Hands, Heading, Keys, Motion, Movement, Sign};
 
 /// The signs of a folder of SiGML, by file.
 fn lexicon(folder: &str) -> Option<Vec<(String, Source)>> {
@@ -45,6 +45,21 @@ fn what_is_in_normal_form_comes_back_as_it_was_written() {
         assert_eq!(again(text), text);
         assert_eq!(again(&again(text)), again(text));
     }
+}
+
+/// Handshapes are written by any of their names, the letters of the sign's own alphabet first.
+#[test]
+fn other_names_of_handshapes_are_written() {
+    let of = |name: &str, language: &str| {
+        let mut sign = Sign { language: language.into(), ..Sign::named("X") };
+        sign.strong.configuration = Keys::one(Configuration::named(name));
+        raise(&sign, Dictionary::builtin())
+            .map(|raised| print::print(&raised.sign, print::Form::Names).expect("printable"))
+    };
+    assert_eq!(of("S", "").as_deref(), Ok("hamfist,hamthumbacrossmod"));
+    assert_eq!(of("fist-s", ""), of("S", ""));
+    assert_eq!(of("M", "lsf"), of("M-lsf", ""));
+    assert!(of("M", "").is_err(), "an M of several alphabets");
 }
 
 #[test]

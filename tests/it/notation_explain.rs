@@ -40,6 +40,8 @@ fn the_bowl_in_french() {
     let said = french(&bowl);
     let expected = "\
 BOL, un signe de la langue lsf : « bowl » (en), « bol » (fr)
+  Les deux mains, une main plate, le pouce écarté, arrondi, doigts vers l'avant et la gauche, paume vers le haut, \
+                    à 24 cm de la poitrine, mouvement : arc de 15 cm vers le haut et la droite, bombé vers le bas et la droite.
   les mains : les deux, la main dominée en miroir de la main dominante (selon le texte)
   postures et mouvements : 2 postures, 1 mouvement entre elles (d'après le nombre de valeurs)
   la main dominante, configuration : round-B, le pouce écarté (selon le texte)
@@ -57,11 +59,28 @@ BOL, un signe de la langue lsf : « bowl » (en), « bol » (fr)
     assert_eq!(said, expected, "\n{said}");
 }
 
+/// The first line under the name is the whole phase in a sentence: hand shape, directions, place, the first movements.
+#[test]
+fn a_phase_in_a_sentence() {
+    let line = |text: &str, number: usize| {
+        chereme::notation::explain(&sign(text)).lines().nth(number).unwrap_or_default().trim().to_owned()
+    };
+    assert_eq!(
+        line("sign X\n configuration 1, thumb across\n orientation fingers up, palm out\n placement chin, touch\n", 1),
+        "The dominant hand, one finger stretched with the thumb across, fingers pointing up, palm facing forward, touching the \
+         chin, without movement."
+    );
+    let said = line("sign X\n configuration S\n movement up then down then up then down\n", 1);
+    assert!(said.ends_with("… (+ 1)."), "{said}");
+    let each = line("sign X\n hands both\n strong configuration flat\n weak configuration S\n", 1);
+    assert!(each.starts_with("The dominant hand, a flat hand") && each.contains("; the other hand, a fist"), "{each}");
+}
+
 #[test]
 fn french_articles_contract() {
     let line = |tier: &str, word: &str| {
         let said = french(&sign(&format!("sign X\n {tier}\n")));
-        let line = said.lines().find(|l| l.contains(word)).unwrap_or_else(|| panic!("{said}"));
+        let line = said.lines().skip(2).find(|l| l.contains(word)).unwrap_or_else(|| panic!("{said}"));
         let said = line.split_once(" : ").map_or(line, |(_, said)| said);
         said.trim_end_matches(" (selon le texte)").to_owned()
     };

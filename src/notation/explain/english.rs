@@ -169,7 +169,7 @@ fn bent(bend: Bend) -> &'static str {
     }
 }
 
-fn orientation(v: &Orientation) -> String {
+pub(super) fn orientation(v: &Orientation) -> String {
     // A path leads to the left, a palm faces left.
     let way = |h| heading(h).replace("to the ", "");
     let fingers = v.fingers.map(|h| format!("fingers pointing {}", way(h)));

@@ -178,7 +178,7 @@ fn bend_name(bend: Bend) -> &'static str {
     }
 }
 
-fn orientation(v: &Orientation) -> String {
+pub(super) fn orientation(v: &Orientation) -> String {
     let fingers = v.fingers.map(|h| format!("doigts {}", heading(h)));
     let palm = v.palm.map(|h| format!("paume {}", heading(h)));
     let along = v.along_path.then(|| "en tournant avec le trajet".to_owned());

@@ -2,7 +2,7 @@
 //!
 //! Made once from the inventories of `grammar/`; reading and writing signs only looks things up.
 
-use super::syntax::{BentClass, Phase, Shape, ShapeClass, Split};
+use super::syntax::{Phase, Shape, ShapeClass, Split};
 use super::{lex, parse};
 use crate::diagnostics::Span;
 use crate::phonology::expression::Expressions;
@@ -16,8 +16,10 @@ use std::sync::OnceLock;
 pub struct Dictionary {
     /// Handshapes of the inventory that HamNoSys can write, in the inventory's order, one a shape.
     shapes: Vec<(Shape, String)>,
-    /// The same by name.
+    /// The same by id.
     shape_of: HashMap<String, Shape>,
+    /// The inventory, which knows the other names.
+    handshapes: HandshapeInventory,
     /// Names of plain classes.
     classes: HashMap<ShapeClass, String>,
     /// Places by tag without `ham`.
@@ -47,7 +49,7 @@ impl Dictionary {
     /// assert_eq!(Dictionary::builtin().handshape(&Shape::of(ShapeClass::Flat)), Some("flat"));
     /// ```
     pub fn of(handshapes: &HandshapeInventory, places: &LocationInventory, expressions: &Expressions) -> Dictionary {
-        let mut all = Dictionary::default();
+        let mut all = Dictionary { handshapes: handshapes.clone(), ..Dictionary::default() };
         for row in handshapes.shapes() {
             let Some(shape) = shape_of_tags(&row.hamnosys.join(" ")) else { continue };
             let plain = shape == Shape::of(shape.main.class);
@@ -90,15 +92,17 @@ impl Dictionary {
         self.classes.get(&class).map(String::as_str)
     }
 
-    /// How HamNoSys writes a handshape of the inventory.
-    pub fn shape(&self, id: &str) -> Option<&Shape> {
-        self.shape_of.get(id)
-    }
-
-    /// The class, thumb and bend of a handshape that is no more than that.
-    pub fn bent_class(&self, id: &str) -> Option<BentClass> {
-        let shape = self.shape(id)?;
-        (Shape { main: shape.main, ..Shape::of(shape.main.class) } == *shape).then_some(shape.main)
+    /// How HamNoSys writes a handshape of the inventory, by any of its names in a language.
+    ///
+    /// ```
+    /// use chereme::notation::hamnosys::Dictionary;
+    /// let dictionary = Dictionary::builtin();
+    /// assert_eq!(dictionary.shape("S", None), dictionary.shape("fist-s", None));
+    /// assert_eq!(dictionary.shape("M", Some("lsf")), dictionary.shape("M-lsf", None));
+    /// ```
+    pub fn shape(&self, name: &str, language: Option<&str>) -> Option<&Shape> {
+        let row = self.handshapes.find(name, language).ok()?;
+        self.shape_of.get(&row.id)
     }
 
     /// The place of a tag without `ham`, by its id, and what sort of place it is.

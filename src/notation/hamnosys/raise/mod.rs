@@ -8,7 +8,7 @@ pub(super) mod location;
 mod nonmanual;
 pub(super) mod orientation;
 mod phase;
-pub(super) mod shape;
+pub(crate) mod shape;
 
 use super::dictionary::Dictionary;
 use super::syntax;
@@ -43,9 +43,10 @@ pub fn raise(sign: &Sign, dictionary: &Dictionary) -> Result<Raised, Vec<String>
         && sign.weak.is_empty()
         && sign.contact.is_empty()
         && sign.hands == Hands::Strong;
+    let language = (!sign.language.is_empty()).then_some(sign.language.as_str());
     let phases = match silent {
         true => Vec::new(),
-        false => sign.phases().map(|p| phase::phase(p, dictionary, &mut errors, &mut warnings)).collect(),
+        false => sign.phases().map(|p| phase::phase(p, language, dictionary, &mut errors, &mut warnings)).collect(),
     };
     let nonmanual = nonmanual::tiers(&sign.nonmanual, dictionary, &mut errors);
     if !errors.is_empty() {

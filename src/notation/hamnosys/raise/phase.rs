@@ -40,6 +40,8 @@ impl Known {
 /// A phase while it is written.
 pub(super) struct Raising<'d> {
     pub(super) dictionary: &'d Dictionary,
+    /// The sign's language, whose alphabet names handshapes.
+    language: Option<&'d str>,
     strong: Known,
     weak: Known,
     errors: &'d mut Vec<String>,
@@ -49,11 +51,13 @@ pub(super) struct Raising<'d> {
 /// A phase of a sign, written.
 pub(super) fn phase(
     sign: &Sign,
+    language: Option<&str>,
     dictionary: &Dictionary,
     errors: &mut Vec<String>,
     warnings: &mut Vec<String>,
 ) -> Phase {
-    let mut raising = Raising { dictionary, strong: Known::default(), weak: Known::default(), errors, warnings };
+    let mut raising =
+        Raising { dictionary, language, strong: Known::default(), weak: Known::default(), errors, warnings };
     if sign.relocated.is_some() {
         raising.fail("HamNoSys cannot say that a whole sign is moved");
     }
@@ -120,7 +124,7 @@ impl Raising<'_> {
     }
 
     pub(super) fn shape(&mut self, configuration: &Configuration) -> Option<Shape> {
-        let shape = shape::shape(configuration, self.dictionary);
+        let shape = shape::shape(configuration, self.language, self.dictionary);
         self.ok(shape)
     }
 

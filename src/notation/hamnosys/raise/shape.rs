@@ -6,9 +6,13 @@ use super::super::syntax::{Bend, FingerPart, ListedFinger, Shape, ShapeClass, Th
 use crate::phonology::{self, Configuration, Digit, Digits, HandPart, HandshapeChange, Opening, ThumbPosition};
 
 /// The shape of a configuration, or what of it HamNoSys cannot say.
-pub(crate) fn shape(configuration: &Configuration, dictionary: &Dictionary) -> Result<Shape, String> {
+pub(crate) fn shape(
+    configuration: &Configuration,
+    language: Option<&str>,
+    dictionary: &Dictionary,
+) -> Result<Shape, String> {
     let named = |id: &str| {
-        let shape = dictionary.shape(id).cloned();
+        let shape = dictionary.shape(id, language).cloned();
         shape.ok_or_else(|| format!("HamNoSys has no symbols for the handshape `{id}`"))
     };
     let mut shape = named(&configuration.base)?;
