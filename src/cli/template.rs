@@ -77,7 +77,7 @@ impl Field {
             Field::Name => "name",
             Field::Language => "language",
             Field::Folder => "folder",
-            Field::Number => "n",
+            Field::Number => "number",
         }
     }
 
@@ -196,7 +196,7 @@ fn twice(path: &Path, first: &Origin, second: &Origin) -> String {
     let clash = format!("{path} would be written twice, for {} and for {}", first.name, second.name);
     match first.stem == second.stem && first.folder == second.folder && first.of > 1 {
         true => format!(
-            "{clash}: {} has {} signs, so -o needs {{n}} or {{name}}, such as {{stem}}-{{n}}",
+            "{clash}: {} has {} signs, so -o needs {{number}} or {{name}}, such as {{stem}}-{{number}}",
             first.stem, first.of
         ),
         false => format!("{clash}: -o needs more of {}", fields()),

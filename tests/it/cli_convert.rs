@@ -48,12 +48,12 @@ fn a_folder_becomes_a_folder_a_file_for_a_file_or_for_a_sign() {
     assert_eq!(text.matches("sign ").count(), 2, "{text}");
     assert!(text.starts_with("language lsf\n\nsign A\n") && text.contains("\n\nsign B\n"), "{text}");
     for jobs in ["1", "4"] {
-        let out = format!("each{jobs}/{{n}}-{{name}}.sign");
+        let out = format!("each{jobs}/{{number}}-{{name}}.sign");
         let each = run(&folder.0, &["convert", "in/lsf", "-o", &out, "--jobs", jobs], "");
         assert_eq!(each.code, 0, "{}", each.err);
         assert_eq!(names(&folder.0.join(format!("each{jobs}"))), ["1-A.sign", "2-B.sign"]);
     }
-    let clash = run(&folder.0, &["convert", "in", "-o", "flat/{n}.sign"], "");
+    let clash = run(&folder.0, &["convert", "in", "-o", "flat/{number}.sign"], "");
     assert_eq!(clash.code, 2);
     assert!(clash.err.contains("written twice") && !folder.0.join("flat").exists(), "{}", clash.err);
 }

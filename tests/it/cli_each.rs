@@ -64,7 +64,7 @@ fn names_that_would_clash_are_told_before_any_work() {
     folder.write("a/x.sign", "sign X\n  movement up\n");
     folder.write("b/x.sign", "sign Y\n  movement up\n");
     for (args, words) in [
-        (&["render", "two.sign", "--each", "-o", "out/{stem}.bvh"][..], "{stem}-{n}"),
+        (&["render", "two.sign", "--each", "-o", "out/{stem}.bvh"][..], "{stem}-{number}"),
         (&["render", "two.sign", "--each", "-o", "out/two.bvh"], "{name}"),
         (&["render", "two.sign", "--each", "-o", "-"], "standard output"),
         (&["render", "two.sign", "--each", "-o", "out/{gloss}.bvh"], "{gloss} is unknown"),
@@ -90,12 +90,12 @@ fn files_with_several_signs_number_or_name_them() {
         run(&folder.0, &args, "")
     };
     // A field in the name says --each.
-    let done = each(&["out/{stem}-{n}.bvh", "out/{name}.eaf", "out/{language}/{folder}/{name}.csv"]);
+    let done = each(&["out/{stem}-{number}.bvh", "out/{name}.eaf", "out/{language}/{folder}/{name}.csv"]);
     assert_eq!(done.code, 0, "{}", done.err);
     assert!(done.err.contains("2 signs rendered, 0 refused"), "{}", done.err);
     let written = ["A.eaf", "B_C.eaf", "two-1.bvh", "two-2.bvh", "und/A.csv", "und/B_C.csv"];
     assert_eq!(names(&folder.0.join("out")), written);
-    let again = each(&["out/{stem}-{n}.bvh"]);
+    let again = each(&["out/{stem}-{number}.bvh"]);
     assert_eq!(again.code, 2);
     assert!(again.err.contains("two-1.bvh is there already (and 1 more); --force"), "{}", again.err);
     let forced = run(

@@ -66,7 +66,10 @@ fn a_phase_in_a_sentence() {
         chereme::notation::explain(&sign(text)).lines().nth(number).unwrap_or_default().trim().to_owned()
     };
     assert_eq!(
-        line("sign X\n configuration 1, thumb across\n orientation fingers up, palm out\n placement chin, touch\n", 1),
+        line(
+            "sign X\n configuration 1-along, thumb across\n orientation fingers up, palm out\n placement chin, touch\n",
+            1
+        ),
         "The dominant hand, one finger stretched with the thumb across, fingers pointing up, palm facing forward, touching the \
          chin, without movement."
     );

@@ -19,7 +19,7 @@ pub(super) struct Convert {
     /// Files or folders of signs in any notation, names of signs, strings of HamNoSys, or - for standard input
     #[arg(value_name = "FILE|NAME", required = true)]
     what: Vec<String>,
-    /// Where to: a file, a name with {stem}, {name}, {language}, {folder} or {n} (as in render --each), or - for standard output
+    /// Where to: a file, a name with {stem}, {name}, {language}, {folder} or {number} (as in render --each), or - for standard output
     #[arg(short, long, value_name = "OUT", default_value = "-")]
     output: String,
     /// The form to write [default: by the extension of -o]

@@ -26,7 +26,7 @@ pub(super) struct Render {
     #[arg(short, long, value_name = "OUT", required = true)]
     output: Vec<String>,
     /// One file a sign, on all cores: in -o, {stem} is the name of its file, {name} its gloss, {language}, {folder} where its file is
-    /// below the folder asked for, {n} its number in its file. What cannot be signed is told and left out
+    /// below the folder asked for, {number} its number in its file. What cannot be signed is told and left out
     #[arg(long)]
     each: bool,
     /// How many cores --each works on; all without it
