@@ -23,8 +23,10 @@ pub fn nearest<'a>(word: &str, known: impl IntoIterator<Item = &'a str>) -> Opti
         if other.len() > LONGEST || folded.len().abs_diff(other.len()) > allowed || other.len().max(folded.len()) < 2 {
             continue;
         }
-        let slips = distance(&folded, &other);
-        if slips <= allowed && best.is_none_or(|(least, _)| slips < least) {
+        let most = best.map_or(allowed, |(least, _)| least);
+        if let Some(slips) = distance(&folded, &other, most)
+            && best.is_none_or(|(least, _)| slips < least)
+        {
             best = Some((slips, candidate));
         }
     }
@@ -34,11 +36,12 @@ pub fn nearest<'a>(word: &str, known: impl IntoIterator<Item = &'a str>) -> Opti
 /// The slips of the hand between two words, if they are at most `most`.
 pub(crate) fn slips(a: &str, b: &str, most: usize) -> Option<usize> {
     const LONGEST: usize = 40;
-    let (a, b): (Vec<char>, Vec<char>) = (a.chars().take(LONGEST).collect(), b.chars().take(LONGEST).collect());
-    if a.len().abs_diff(b.len()) > most {
+    let length = |word: &str| word.chars().take(LONGEST).count();
+    if length(a).abs_diff(length(b)) > most {
         return None;
     }
-    Some(distance(&a, &b)).filter(|slips| *slips <= most)
+    let (a, b): (Vec<char>, Vec<char>) = (a.chars().take(LONGEST).collect(), b.chars().take(LONGEST).collect());
+    distance(&a, &b, most)
 }
 
 /// Lower case without accents.
@@ -51,12 +54,14 @@ pub fn fold(word: &str) -> String {
     plain.collect::<String>().to_lowercase()
 }
 
-/// Slips of the hand between two words: letters left out, put in, exchanged for another, or swapped with the next.
-fn distance(a: &[char], b: &[char]) -> usize {
+/// Slips of the hand between two words, if they are at most `most`: letters left out, put in, exchanged for another, or
+/// swapped with the next.
+fn distance(a: &[char], b: &[char], most: usize) -> Option<usize> {
     let mut before = vec![0; b.len() + 1];
     let mut last: Vec<usize> = (0..=b.len()).collect();
+    let mut row = vec![0; b.len() + 1];
     for i in 1..=a.len() {
-        let mut row = vec![i; b.len() + 1];
+        row[0] = i;
         for j in 1..=b.len() {
             let same = usize::from(a[i - 1] != b[j - 1]);
             row[j] = (last[j - 1] + same).min(last[j] + 1).min(row[j - 1] + 1);
@@ -64,7 +69,12 @@ fn distance(a: &[char], b: &[char]) -> usize {
                 row[j] = row[j].min(before[j - 2] + 1);
             }
         }
-        before = std::mem::replace(&mut last, row);
+        // No later row goes below the least of two that follow each other.
+        if row.iter().chain(&last).all(|slips| *slips > most) {
+            return None;
+        }
+        std::mem::swap(&mut before, &mut last);
+        std::mem::swap(&mut last, &mut row);
     }
-    last[b.len()]
+    Some(last[b.len()]).filter(|slips| *slips <= most)
 }

@@ -6,6 +6,9 @@ use crate::phonology::{
     Action, Digits, Extent, Manner, Motion, Movement, Overlay, Repetition, RepetitionKind, Shift, Size, WristMotion,
 };
 
+/// What a hand changes to that only changes.
+pub(super) const NEXT: &str = "the next posture";
+
 pub(super) fn movement(v: &Movement) -> String {
     let parts = |all: &[Movement], by: &str| all.iter().map(part).collect::<Vec<_>>().join(by);
     match v {
@@ -105,7 +108,7 @@ fn repeated(v: Repetition) -> String {
 fn motion(v: &Motion) -> String {
     match v {
         Motion::Hold => "a hold".into(),
-        Motion::Change => "a change to the next posture".into(),
+        Motion::Change => format!("a change to {NEXT}"),
         Motion::Return { key: 0 } => "back to the start".into(),
         Motion::Return { key } => format!("back to posture {}", key + 1),
         Motion::Straight { direction, extent, overlay } => {

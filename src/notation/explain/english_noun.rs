@@ -120,6 +120,10 @@ pub(super) fn place(v: &Place) -> String {
         Place::Point(p) => {
             format!("the point {} m to the left, {} m up, {} m forward", number(p.x), number(p.y), number(p.z))
         }
+        Place::Between(a, b) if a.place == b.place => {
+            let sides = [a.lateral.map_or("the middle", flank), b.lateral.map_or("the middle", flank)];
+            format!("the point halfway between {} and {} of {}", sides[0], sides[1], place(&a.place))
+        }
         Place::Between(a, b) => format!("the point halfway between {} and {}", sited(a), sited(b)),
         Place::Referent(name) => format!("the place of “{name}”"),
         Place::Towards(at) => format!("the point from which the hand points at {}", place(at)),
@@ -140,6 +144,16 @@ fn side(v: Lateral) -> &'static str {
         Lateral { side: Side::Right, beside: false } => "on the right side",
         Lateral { side: Side::Left, beside: true } => "beside it on the left",
         Lateral { side: Side::Right, beside: true } => "beside it on the right",
+    }
+}
+
+/// A side of a place, as a noun.
+fn flank(v: Lateral) -> &'static str {
+    match v {
+        Lateral { side: Side::Left, beside: false } => "the left side",
+        Lateral { side: Side::Right, beside: false } => "the right side",
+        Lateral { side: Side::Left, beside: true } => "the left outside",
+        Lateral { side: Side::Right, beside: true } => "the right outside",
     }
 }
 

@@ -7,6 +7,9 @@ use crate::phonology::{
     WristMotion,
 };
 
+/// What a hand changes to that only changes.
+pub(super) const NEXT: &str = "la posture suivante";
+
 pub(super) fn movement(v: &Movement, names: &LocationInventory) -> String {
     let parts = |all: &[Movement], by: &str| all.iter().map(|m| part(m, names)).collect::<Vec<_>>().join(by);
     match v {
@@ -105,7 +108,7 @@ fn repeated(v: Repetition) -> String {
 fn motion(v: &Motion) -> String {
     match v {
         Motion::Hold => "posture tenue".into(),
-        Motion::Change => "passage à la posture suivante".into(),
+        Motion::Change => format!("passage à {NEXT}"),
         Motion::Return { key: 0 } => "retour au départ".into(),
         Motion::Return { key } => format!("retour à la posture {}", key + 1),
         Motion::Straight { direction, extent, overlay } => {

@@ -166,6 +166,10 @@ pub(super) fn place(v: &Place, names: &LocationInventory) -> String {
         Place::Point(p) => {
             format!("le point à {} m à gauche, {} m de haut, {} m devant", number(p.x), number(p.y), number(p.z))
         }
+        Place::Between(a, b) if a.place == b.place => {
+            let sides = [a.lateral.map_or("le milieu", flank), b.lateral.map_or("le milieu", flank)];
+            format!("le point à mi-chemin entre {} et {} {}", sides[0], sides[1], of(&place(&a.place, names)))
+        }
         Place::Between(a, b) => format!("le milieu entre {} et {}", sited(a, names), sited(b, names)),
         Place::Referent(name) => format!("le lieu de « {name} »"),
         Place::Towards(at) => format!("l'endroit d'où la main pointe vers {}", place(at, names)),
@@ -186,6 +190,16 @@ fn side(v: Lateral) -> &'static str {
         Lateral { side: Side::Right, beside: false } => "du côté droit",
         Lateral { side: Side::Left, beside: true } => "sur la gauche, à côté",
         Lateral { side: Side::Right, beside: true } => "sur la droite, à côté",
+    }
+}
+
+/// A side of a place, as a noun.
+fn flank(v: Lateral) -> &'static str {
+    match v {
+        Lateral { side: Side::Left, beside: false } => "le côté gauche",
+        Lateral { side: Side::Right, beside: false } => "le côté droit",
+        Lateral { side: Side::Left, beside: true } => "l'extérieur gauche",
+        Lateral { side: Side::Right, beside: true } => "l'extérieur droit",
     }
 }
 

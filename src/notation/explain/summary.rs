@@ -5,7 +5,7 @@ use super::{english, english_movement, english_noun, french, french_movement, fr
 use crate::notation::hamnosys::Dictionary;
 use crate::notation::hamnosys::raise::shape::shape;
 use crate::notation::hamnosys::syntax::{Bend, BentClass, ShapeClass, Thumb, ThumbSpecial};
-use crate::phonology::{Configuration, Digits, Hands, Manual, Sign};
+use crate::phonology::{Configuration, Digits, Hands, Manual, Movement, Orientation, Relation, Sign};
 
 /// So many movements are told; of more, how many there are.
 const TOLD: usize = 3;
@@ -15,6 +15,10 @@ struct Words {
     strong: &'static str,
     other: &'static str,
     both: &'static str,
+    /// What the other hand does in what is not said of it.
+    mirrors: &'static str,
+    likewise: &'static str,
+    but: &'static str,
     makes: &'static str,
     make: &'static str,
     held: &'static str,
@@ -22,13 +26,15 @@ struct Words {
     halfway: &'static str,
     and: &'static str,
     named: &'static str,
-    on: &'static str,
 }
 
 const ENGLISH: Words = Words {
     strong: "the dominant hand",
     other: "the other hand",
     both: "both hands",
+    mirrors: ", its mirror image",
+    likewise: ", moving with it",
+    but: " but for what follows",
     makes: "makes",
     make: "make",
     held: "without movement",
@@ -36,13 +42,15 @@ const ENGLISH: Words = Words {
     halfway: "halfway between ",
     and: " and ",
     named: "the handshape ",
-    on: " of the ",
 };
 
 const FRENCH: Words = Words {
     strong: "la main dominante",
     other: "l'autre main",
     both: "les deux mains",
+    mirrors: ", son image en miroir",
+    likewise: ", en parallèle",
+    but: " à ceci près",
     makes: "mouvement :",
     make: "mouvement :",
     held: "sans mouvement",
@@ -50,7 +58,6 @@ const FRENCH: Words = Words {
     halfway: "à mi-chemin entre ",
     and: " et ",
     named: "la configuration ",
-    on: " : ",
 };
 
 /// A phase of a sign of a language in one sentence.
@@ -59,75 +66,116 @@ pub(super) fn sentence(sign: &Sign, language: &str, tongue: Tongue) -> String {
         Tongue::English => &ENGLISH,
         Tongue::French(_) => &FRENCH,
     };
-    let one = |who: &str, own: &Manual, verb: &str| part(who, own, verb, (language, words), tongue);
+    let teller = Teller { language, words, tongue };
+    let strong = || teller.hand(words.strong, &sign.strong, words.makes);
     let said = match sign.hands {
-        Hands::Strong => one(words.strong, &sign.strong, words.makes),
-        Hands::Weak => one(words.other, &sign.weak, words.makes),
-        Hands::Both(Some(_)) if sign.weak.is_empty() => one(words.both, &sign.strong, words.make),
-        Hands::Both(_) => {
-            format!("{}; {}", one(words.strong, &sign.strong, words.makes), one(words.other, &sign.weak, words.makes))
+        Hands::Strong => strong(),
+        Hands::Weak => teller.hand(words.other, &sign.weak, words.makes),
+        Hands::Both(Some(_)) if sign.weak.is_empty() => teller.hand(words.both, &sign.strong, words.make),
+        Hands::Both(Some(symmetry)) => {
+            let like = match symmetry.relation {
+                Relation::Mirrored => words.mirrors,
+                Relation::Parallel => words.likewise,
+            };
+            let (own, movement) = teller.parts(&sign.weak, words.makes);
+            let own: Vec<String> = own.into_iter().chain(movement).collect();
+            format!("{}; {}{like}{}{}{}", strong(), words.other, words.but, teller.colon(), own.join(", "))
         }
+        Hands::Both(None) => format!("{}; {}", strong(), teller.hand(words.other, &sign.weak, words.makes)),
     };
     let mut letters = said.chars();
     let capital = letters.next().map(|c| c.to_uppercase().to_string()).unwrap_or_default();
     format!("{capital}{}.", letters.as_str())
 }
 
-/// What one hand, or both as one, is and does.
-fn part(who: &str, own: &Manual, verb: &str, (language, words): (&str, &Words), tongue: Tongue) -> String {
-    let mut said = vec![who.to_owned()];
-    said.extend(own.configuration.at(0).map(|c| hand_shape(c, language, words, tongue)));
-    said.extend(own.orientation.at(0).map(|o| match tongue {
-        Tongue::English => english::orientation(o),
-        Tongue::French(_) => french::orientation(o),
-    }));
-    said.extend(own.placement.at(0).map(|p| match tongue {
-        Tongue::English => english_noun::placement(p),
-        Tongue::French(names) => french_noun::placement(p, names),
-    }));
-    let movements = own.movement.iter().take(TOLD).map(|m| match tongue {
-        Tongue::English => english_movement::movement(m),
-        Tongue::French(names) => french_movement::movement(m, names),
-    });
-    let movements = movements.collect::<Vec<_>>().join(words.then);
-    let left = own.movement.len().saturating_sub(TOLD);
-    let more = if left > 0 { format!("{}… (+ {left})", words.then) } else { String::new() };
-    match movements.as_str() {
-        "" => format!("{}, {}", said.join(", "), words.held),
-        _ => format!("{}, {verb} {movements}{more}", said.join(", ")),
-    }
+/// Who tells: of which sign language, in which words.
+struct Teller<'a> {
+    language: &'a str,
+    words: &'a Words,
+    tongue: Tongue<'a>,
 }
 
-/// A hand shape in words, where HamNoSys has it; else by its name.
-fn hand_shape(configuration: &Configuration, language: &str, words: &Words, tongue: Tongue) -> String {
-    let named = || format!("{}{}", words.named, configuration.base);
-    let language = (!language.is_empty()).then_some(language);
-    let Ok(shape) = shape(configuration, language, Dictionary::builtin()) else { return named() };
-    let one = |bent: BentClass| bent_class(bent, tongue);
-    let mut text = match shape.between {
-        None => one(shape.main),
-        Some(second) => format!("{}{}{}{}", words.halfway, one(shape.main), words.and, one(second)),
-    };
-    let listed = Digits::of(shape.fingers.iter().map(|f| f.finger));
-    if !listed.is_empty() {
-        let fingers = match tongue {
-            Tongue::English => english_noun::fingers(listed),
-            Tongue::French(_) => french_noun::fingers(listed),
+impl Teller<'_> {
+    /// What one hand, or both as one, is and does.
+    fn hand(&self, who: &str, own: &Manual, verb: &str) -> String {
+        let (stands, movement) = self.parts(own, verb);
+        let movement = movement.unwrap_or_else(|| self.words.held.to_owned());
+        if stands.is_empty() {
+            return format!("{who} {movement}");
+        }
+        format!("{who}, {}, {movement}", stands.join(", "))
+    }
+
+    /// Shape, orientation and place at the start, as far as they are stated; and the movements.
+    fn parts(&self, own: &Manual, verb: &str) -> (Vec<String>, Option<String>) {
+        let shape = own.configuration.at(0).map(|c| self.shape(c));
+        let orientation = own.orientation.at(0).map(|o| self.orientation(o));
+        let placement = own.placement.at(0).map(|p| match self.tongue {
+            Tongue::English => english_noun::placement(p),
+            Tongue::French(names) => french_noun::placement(p, names),
+        });
+        let movements: Vec<String> = own.movement.iter().enumerate().take(TOLD).map(|m| self.movement(m, own)).collect();
+        let left = own.movement.len().saturating_sub(TOLD);
+        let more = if left > 0 { format!("{}… (+ {left})", self.words.then) } else { String::new() };
+        let movement = (!movements.is_empty()).then(|| format!("{verb} {}{more}", movements.join(self.words.then)));
+        ([shape, orientation, placement].into_iter().flatten().collect(), movement)
+    }
+
+    /// The movement from one posture to the next. If the hand only changes to that, it is told what it then is.
+    fn movement(&self, (key, movement): (usize, &Movement), own: &Manual) -> String {
+        let (said, next) = match self.tongue {
+            Tongue::English => (english_movement::movement(movement), english_movement::NEXT),
+            Tongue::French(names) => (french_movement::movement(movement, names), french_movement::NEXT),
         };
-        text.push_str(&format!("{}{fingers}", words.on));
+        let shape = own.configuration.stated(key + 1).map(|c| self.shape(c));
+        let orientation = own.orientation.stated(key + 1).map(|o| self.orientation(o));
+        let becomes: Vec<String> = [shape, orientation].into_iter().flatten().collect();
+        if becomes.is_empty() { said } else { said.replace(next, &format!("{next} ({})", becomes.join(", "))) }
     }
-    let thumb = match (shape.thumb, tongue) {
-        (Some(ThumbSpecial::Between(..)), Tongue::English) => " and between two fingers",
-        (Some(ThumbSpecial::Between(..)), Tongue::French(_)) => " et entre deux doigts",
-        (Some(ThumbSpecial::Enclosed), Tongue::English) => " under the fingers",
-        (Some(ThumbSpecial::Enclosed), Tongue::French(_)) => " sous les doigts",
-        (Some(ThumbSpecial::Exempted | ThumbSpecial::At(_)) | None, _) => "",
-    };
-    text + thumb
+
+    fn orientation(&self, of: &Orientation) -> String {
+        match self.tongue {
+            Tongue::English => english::orientation(of),
+            Tongue::French(_) => french::orientation(of),
+        }
+    }
+
+    fn colon(&self) -> &'static str {
+        self.tongue.phrases().colon
+    }
+
+    /// A hand shape in words, where HamNoSys has it; else by its name.
+    fn shape(&self, of: &Configuration) -> String {
+        let Teller { language, words, tongue } = self;
+        let language = (!language.is_empty()).then_some(*language);
+        let Ok(shape) = shape(of, language, Dictionary::builtin()) else {
+            return format!("{}{}", words.named, of.base);
+        };
+        let listed = Digits::of(shape.fingers.iter().map(|f| f.finger));
+        let listed = match tongue {
+            _ if listed.is_empty() => String::new(),
+            Tongue::English => format!(" ({})", english_noun::fingers(listed)),
+            Tongue::French(_) => format!(" ({})", french_noun::fingers(listed)),
+        };
+        let first = bent_class(shape.main, &listed, *tongue);
+        let text = match shape.between {
+            None => first,
+            Some(second) => format!("{}{first}{}{}", words.halfway, words.and, bent_class(second, "", *tongue)),
+        };
+        let thumb = match (shape.thumb, tongue) {
+            (Some(ThumbSpecial::Between(..)), Tongue::English) => ", the thumb between two fingers",
+            (Some(ThumbSpecial::Between(..)), Tongue::French(_)) => ", le pouce entre deux doigts",
+            (Some(ThumbSpecial::Enclosed), Tongue::English) => ", the thumb under the fingers",
+            (Some(ThumbSpecial::Enclosed), Tongue::French(_)) => ", le pouce sous les doigts",
+            (Some(ThumbSpecial::Exempted | ThumbSpecial::At(_)) | None, _) => "",
+        };
+        text + thumb
+    }
 }
 
-/// A class with its thumb and bend: "a flat hand with the thumb out".
-fn bent_class(bent: BentClass, tongue: Tongue) -> String {
+/// A class with the fingers that it is made of, where they are not the usual ones, its thumb and bend: "a flat hand with the
+/// thumb out".
+fn bent_class(bent: BentClass, fingers: &str, tongue: Tongue) -> String {
     let pick = |[english, french]: [&'static str; 2]| match tongue {
         Tongue::English => english,
         Tongue::French(_) => french,
@@ -169,5 +217,5 @@ fn bent_class(bent: BentClass, tongue: Tongue) -> String {
         Some(Bend::DoubleHooked) => pick([", closed to a claw", ", en griffe"]).to_owned(),
         Some(Bend::Quarters([a, b, c])) => format!(", {a}/{b}/{c}"),
     };
-    format!("{class}{thumb}{bend}")
+    format!("{class}{fingers}{thumb}{bend}")
 }

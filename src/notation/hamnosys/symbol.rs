@@ -261,7 +261,8 @@ fn nearest(word: &str) -> Spelling {
     let mut alone = true;
     for (known, entry) in &table().words {
         let Entry::Tag(symbol) = *entry else { continue };
-        let Some(slips) = suggest::slips(stem, known, far) else { continue };
+        let most = best.map_or(far, |(least, _)| least);
+        let Some(slips) = suggest::slips(stem, known, most) else { continue };
         match best {
             Some((least, other)) if slips > least || (slips == least && other == symbol) => {}
             Some((least, _)) => {
