@@ -9,3 +9,4 @@ pub mod landmarks;
 pub mod reflection;
 pub mod signer;
 pub mod skin;
+pub mod solid;

@@ -9,6 +9,7 @@
 
 mod aim;
 pub mod anchor;
+mod clear;
 pub mod edit;
 mod expression;
 pub mod face;

@@ -75,6 +75,9 @@ const CLAVICLE_MOST: f64 = 0.40;
 const SWIVELS: std::ops::RangeInclusive<i32> = -3..=12;
 const SWIVEL_STEP: f64 = 10.0;
 
+/// How often a hand is turned back within the wrist's limits, at most.
+const LIMIT_ROUNDS: usize = 6;
+
 /// Solves an arm over consecutive frames.
 ///
 /// Returns one frame a target. Nothing here fails: what cannot be reached leaves a residual.
@@ -277,15 +280,26 @@ impl Chain<'_> {
         }
         let wanted = frame.arm.angles;
         if let Some(limits) = self.options.limits {
-            // The hand is turned back within the wrist's limits about the contact point; a few rounds settle it.
-            for _ in 0..6 {
-                if limits.excess(&frame.arm.angles) < 1e-10 {
+            // The hand is turned back within the wrist's limits about the contact point, and the forearm goes where that hand
+            // needs it: they settle together. It is turned back from what is asked for every time, or it would drift.
+            for _ in 0..LIMIT_ROUNDS {
+                let bones = [frame.shoulder, frame.elbow, frame.wrist];
+                let asked = match self.options.free_hand {
+                    true => frame.arm.angles,
+                    false => orient(&self.arm.rest, frame.parent, bones, target.rotation, hint).angles,
+                };
+                if limits.excess(&frame.arm.angles) < 1e-10 && limits.excess(&asked) < 1e-10 {
                     break;
                 }
-                let (twist, flexion, radial) = limits.clamp(&frame.arm.angles);
+                let (twist, flexion, radial) = limits.clamp(&asked);
                 let fore = frame.parent * frame.arm.upper * frame.arm.fore;
-                rotation = (fore * self.arm.rest.hand(twist, flexion, radial)).normalize();
+                let within = (fore * self.arm.rest.hand(twist, flexion, radial)).normalize();
+                let turned = crate::motion::rotation::angle_between(within, rotation);
+                rotation = within;
                 frame = self.place(target, rotation, swivel, hint);
+                if turned < 1e-5 {
+                    break;
+                }
             }
         }
         let reached = frame.wrist + rotation * target.offset;

@@ -3,6 +3,7 @@
 use super::plan::Planner;
 use super::{Grammar, Options};
 use crate::body::signer::Signer;
+use crate::body::solid::Solid;
 use crate::diagnostics::Error;
 use crate::motion::pose::{LocalPose, ModelPose};
 use crate::phonology::handshape::HandAngles;
@@ -18,6 +19,8 @@ pub(super) struct Stage<'a> {
     pub neutral: LocalPose,
     /// The same in model space.
     pub neutral_model: ModelPose,
+    /// The room that the body takes up.
+    pub solid: Solid,
 }
 
 /// The joints of one arm and hand at one frame.
@@ -37,7 +40,8 @@ impl<'a> Stage<'a> {
         let relaxed = rest.map_err(|e| Error::new(e.to_string()))?;
         let neutral = signer.neutral(&relaxed);
         let neutral_model = neutral.to_model(&signer.skeleton);
-        Ok(Stage { grammar, signer, options, neutral, neutral_model })
+        let solid = Solid::new(&signer.skeleton, &signer.landmarks, &neutral_model)?;
+        Ok(Stage { grammar, signer, options, neutral, neutral_model, solid })
     }
 
     pub fn planner(&self) -> Planner<'_> {

@@ -96,6 +96,9 @@ impl Stage<'_> {
             }
         };
         let mut targets: Vec<HandTarget> = instants.iter().enumerate().map(target).collect();
+        if !self.options.paper && plan.wrist_path.is_none() && !plan.on_other_hand {
+            self.keep_clear(plan.side, &models, &poses[frames.clone()], &mut targets);
+        }
         let options = ReachOptions {
             limits: super::limits(self.options),
             clavicle: !self.options.paper,

@@ -114,7 +114,8 @@ impl Teller<'_> {
             Tongue::English => english_noun::placement(p),
             Tongue::French(names) => french_noun::placement(p, names),
         });
-        let movements: Vec<String> = own.movement.iter().enumerate().take(TOLD).map(|m| self.movement(m, own)).collect();
+        let movements: Vec<String> =
+            own.movement.iter().enumerate().take(TOLD).map(|m| self.movement(m, own)).collect();
         let left = own.movement.len().saturating_sub(TOLD);
         let more = if left > 0 { format!("{}… (+ {left})", self.words.then) } else { String::new() };
         let movement = (!movements.is_empty()).then(|| format!("{verb} {}{more}", movements.join(self.words.then)));
