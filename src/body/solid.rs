@@ -7,7 +7,7 @@
 //! # Conventions
 //! Model space, metres.
 
-use super::landmarks::Landmarks;
+use super::landmarks::{Landmark, Landmarks};
 use crate::diagnostics::Error;
 use crate::motion::pose::ModelPose;
 use crate::motion::skeleton::{JointId, Skeleton};
@@ -30,6 +30,8 @@ pub struct Solid {
     head: Carried,
     centre: DVec3,
     radii: DVec3,
+    /// What may be touched.
+    marks: Vec<Landmark>,
 }
 
 /// A joint that carries a part, and how it is when the body stands as the part was measured.
@@ -80,7 +82,13 @@ impl Solid {
         let radii = DVec3::new(side.x, top.y - centre.y, face.z - centre.z).max(DVec3::splat(0.01));
         let trunk = Carried::new(skeleton.joint("Spine2")?, standing);
         let head = Carried::new(skeleton.joint("Head")?, standing);
-        Ok(Solid { trunk, front, head, centre, radii })
+        let laterals = [None, Some(false), Some(true)]
+            .into_iter()
+            .flat_map(|beside| [Side::Left, Side::Right].map(|side| beside.map(|beside| Lateral { side, beside })));
+        let marks =
+            landmarks.body_ids().flat_map(|id| laterals.clone().filter_map(|at| landmarks.body_place(id, at).ok()));
+        let marks = marks.collect();
+        Ok(Solid { trunk, front, head, centre, radii, marks })
     }
 
     /// Whether the body is farther than a distance from a point, in a pose; a body nearer than that may be farther all the same.
@@ -97,6 +105,11 @@ impl Solid {
             .max(by_trunk.y - high);
         let of_head = self.head.back(point, model).distance(self.centre) - self.radii.max_element();
         of_trunk.min(of_head) > distance_m
+    }
+
+    /// How far a point is from the nearest landmark, in a pose, metres.
+    pub fn from_landmark(&self, point: DVec3, model: &ModelPose) -> f64 {
+        self.marks.iter().map(|mark| mark.position(model).distance(point)).fold(f64::INFINITY, f64::min)
     }
 
     /// How deep a point is in the body, in a pose, and which way is the shortest one out; below 0 outside, where it lies

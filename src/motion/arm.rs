@@ -112,6 +112,24 @@ impl ArmRest {
         unit(DQuat::from_axis_angle(self.fore, twist) * swing)
     }
 
+    /// The angles of a hand's local rotation: the inverse of [`ArmRest::hand`]. Those of the elbow are none of its business: 0.
+    ///
+    /// ```
+    /// use chereme::motion::arm::ArmRest;
+    /// let rest = ArmRest::right();
+    /// let angles = rest.angles(rest.hand(0.4, -0.3, 0.1));
+    /// assert!((angles.twist - 0.4).abs() + (angles.flexion + 0.3).abs() + (angles.radial - 0.1).abs() < 1e-9);
+    /// ```
+    pub fn angles(&self, hand: DQuat) -> ArmAngles {
+        let bent = to_vector(unit(swing_twist(hand, self.fore).twist.conjugate() * hand));
+        ArmAngles {
+            elbow: 0.0,
+            twist: twist_angle(hand, self.fore),
+            flexion: bent.dot(self.wrist_flexion),
+            radial: bent.dot(self.wrist_radial),
+        }
+    }
+
     /// The axis about which the elbow flexes, in the upper arm's rest axes.
     pub fn hinge(&self) -> DVec3 {
         self.hinge
@@ -196,22 +214,16 @@ pub fn orient(rest: &ArmRest, parent: DQuat, arm: [DVec3; 3], hand: DQuat, hint:
     let fore_model = unit(correction * upper_model * bend);
     let hand_local = unit(fore_model.conjugate() * hand);
 
-    let twist = twist_angle(hand_local, rest.fore);
     let hand_twist = swing_twist(hand_local, rest.fore).twist;
-    let hand_swing = unit(hand_twist.conjugate() * hand_local);
-    let bent = to_vector(hand_swing);
+    let angles = rest.angles(hand_local);
+    let twist = hint.map_or(angles.twist, |h| unwrap_near(h.twist, angles.twist));
     ArmPose {
         upper: unit(parent.conjugate() * upper_model),
         fore: unit(upper_model.conjugate() * fore_model),
         hand: hand_local,
         hand_twist,
-        hand_swing,
-        angles: ArmAngles {
-            elbow: elbow_angle,
-            twist: hint.map_or(twist, |h| unwrap_near(h.twist, twist)),
-            flexion: bent.dot(rest.wrist_flexion),
-            radial: bent.dot(rest.wrist_radial),
-        },
+        hand_swing: unit(hand_twist.conjugate() * hand_local),
+        angles: ArmAngles { elbow: elbow_angle, twist, ..angles },
         hinge_model,
     }
 }

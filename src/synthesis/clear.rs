@@ -46,7 +46,9 @@ impl Stage<'_> {
         for (i, target) in targets.iter_mut().enumerate() {
             let range = near(i, widened.len());
             let count = range.len() as f64;
-            target.point += widened[range].iter().sum::<DVec3>() / count;
+            let way = widened[range].iter().sum::<DVec3>() / count;
+            let model = models.get(i).unwrap_or(&self.neutral_model);
+            target.point += way.clamp_length_max(self.leeway(target, model));
         }
     }
 
@@ -67,8 +69,14 @@ impl Stage<'_> {
                 Some(_) | None => break,
             }
         }
-        let off_skin = (self.solid.depth(target.point, model).0.abs() - TOUCHES).max(0.0);
-        way.clamp_length_max(AT_TOUCH.0 + AT_TOUCH.1 * off_skin)
+        way
+    }
+
+    /// How far a target may be moved, metres: a contact point stays on what it touches.
+    fn leeway(&self, target: &HandTarget, model: &ModelPose) -> f64 {
+        let (deep, _) = self.solid.depth(target.point, model);
+        let off_skin = deep.abs().min(self.solid.from_landmark(target.point, model));
+        AT_TOUCH.0 + AT_TOUCH.1 * (off_skin - TOUCHES).max(0.0)
     }
 
     /// The last joint of each digit's tip, in that joint's axes.

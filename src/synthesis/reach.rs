@@ -9,7 +9,7 @@
 use crate::body::arm::{ArmRig, WristLimits};
 use crate::body::signer::Shoulder;
 use crate::motion::arm::{ArmAngles, ArmHint, ArmPose, orient};
-use crate::motion::easing::smoothstep;
+use crate::motion::easing::{slerp, smoothstep};
 use crate::motion::fabrik::{Options as FabrikOptions, Pole};
 use crate::motion::reach::reach;
 use crate::motion::two_bone;
@@ -76,7 +76,7 @@ const SWIVELS: std::ops::RangeInclusive<i32> = -3..=12;
 const SWIVEL_STEP: f64 = 10.0;
 
 /// How often a hand is turned back within the wrist's limits, at most.
-const LIMIT_ROUNDS: usize = 6;
+const LIMIT_ROUNDS: usize = 12;
 
 /// Solves an arm over consecutive frames.
 ///
@@ -282,7 +282,7 @@ impl Chain<'_> {
         if let Some(limits) = self.options.limits {
             // The hand is turned back within the wrist's limits about the contact point, and the forearm goes where that hand
             // needs it: they settle together. It is turned back from what is asked for every time, or it would drift.
-            for _ in 0..LIMIT_ROUNDS {
+            for round in 0..LIMIT_ROUNDS {
                 let bones = [frame.shoulder, frame.elbow, frame.wrist];
                 let asked = match self.options.free_hand {
                     true => frame.arm.angles,
@@ -295,11 +295,20 @@ impl Chain<'_> {
                 let fore = frame.parent * frame.arm.upper * frame.arm.fore;
                 let within = (fore * self.arm.rest.hand(twist, flexion, radial)).normalize();
                 let turned = crate::motion::rotation::angle_between(within, rotation);
-                rotation = within;
+                // A hand that swings to and fro between two turns meets in the middle.
+                rotation = if round < LIMIT_ROUNDS / 3 { within } else { slerp(rotation, within, 0.5) };
                 frame = self.place(target, rotation, swivel, hint);
                 if turned < 1e-5 {
                     break;
                 }
+            }
+            if limits.excess(&frame.arm.angles) >= 1e-10 {
+                // Where they do not settle the limits win, and the contact point is missed by what is left.
+                let (twist, flexion, radial) = limits.clamp(&frame.arm.angles);
+                let fore = frame.parent * frame.arm.upper * frame.arm.fore;
+                rotation = (fore * self.arm.rest.hand(twist, flexion, radial)).normalize();
+                let bones = [frame.shoulder, frame.elbow, frame.wrist];
+                frame.arm = orient(&self.arm.rest, frame.parent, bones, rotation, hint);
             }
         }
         let reached = frame.wrist + rotation * target.offset;

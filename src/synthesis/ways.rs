@@ -7,13 +7,13 @@ use super::smooth::write_wrist;
 use super::stage::{Posture, Stage};
 use super::stroke::Stint;
 use crate::body::arm::{ArmRig, WristLimits};
-use crate::motion::arm::{ArmAngles, orient};
+use crate::motion::arm::ArmAngles;
 use crate::motion::pose::LocalPose;
 use crate::motion::rotation::twist_angle;
 use crate::motion::short_arc::ShortArc;
 use crate::motion::skeleton::JointId;
 use crate::phonology::Side;
-use glam::{DQuat, DVec3};
+use glam::DQuat;
 use std::ops::Range;
 
 /// A way of one arm: its frames, and its two ends in seconds.
@@ -36,6 +36,9 @@ pub(super) struct AtRest {
     /// It is left.
     pub until: f64,
 }
+
+/// A way strays that leaves the wrist's limits by so much, radians.
+const STRAYS: f64 = 0.012;
 
 impl Stage<'_> {
     /// A hand at rest on one side.
@@ -126,16 +129,12 @@ impl Stage<'_> {
     }
 }
 
-/// The wrist's angles at both ends of a way whose short arc would turn the forearm farther than it goes, where both ends
-/// lie within the limits: then the way leads through the middle.
+/// The wrist's angles at both ends of a way whose short arc would turn the forearm or bend the wrist farther than they go, where
+/// both ends lie within the limits: then the way leads through the middle.
 fn over_the_limits(arm: &ArmRig, from: DQuat, to: DQuat) -> Option<(ArmAngles, ArmAngles)> {
-    let limits = WristLimits::ANATOMICAL.scaled(1.1);
-    let angles = |hand: DQuat| {
-        let along = arm.rest.fore();
-        orient(&arm.rest, DQuat::IDENTITY, [-along * arm.upper_m, DVec3::ZERO, along * arm.fore_m], hand, None).angles
-    };
+    let limits = WristLimits::ANATOMICAL;
+    let outside = |hand: DQuat| limits.excess(&arm.rest.angles(hand)) > STRAYS * STRAYS;
     let arc = ShortArc::new(from, to);
-    let outside = |hand: DQuat| twist_angle(hand, arm.rest.fore()).abs() > limits.twist;
     let strays = [0.2, 0.35, 0.5, 0.65, 0.8].into_iter().any(|weight| outside(arc.at(weight)));
-    (strays && !outside(from) && !outside(to)).then(|| (angles(from), angles(to)))
+    (strays && !outside(from) && !outside(to)).then(|| (arm.rest.angles(from), arm.rest.angles(to)))
 }

@@ -2,15 +2,14 @@
 
 use super::Checking;
 use super::finding::{Finding, Kind, Worst};
-use crate::body::arm::{ArmRig, WristLimits};
-use crate::motion::arm::{ArmAngles, orient};
+use crate::body::arm::WristLimits;
+use crate::motion::arm::ArmAngles;
 use crate::motion::clip::{Clip, Frame};
 use crate::motion::pose::LocalPose;
 use crate::motion::rotation::{angle_between, swing_twist, to_vector, twist_angle};
 use crate::phonology::handshape::{HandAngles, HandLimits};
 use crate::phonology::{Digit, Side};
 use crate::time::{FrameIndex, Seconds};
-use glam::{DQuat, DVec3};
 
 const DEGREE: f64 = std::f64::consts::PI / 180.0;
 /// How much a bone's length may differ, metres: what is computed in `f64` differs by far less.
@@ -80,7 +79,7 @@ impl Checking<'_> {
                 let flexed = twist_angle(bent, hinge);
                 elbow.look(-flexed, OFF_HINGE, frame, || "bent backwards".into());
                 elbow.look(flexed, FLEXED + SLACK, frame, || "flexed".into());
-                let angles = wrist_angles(rig, pose.rotation(rig.hand));
+                let angles = rig.rest.angles(pose.rotation(rig.hand));
                 for (value, limit, way) in wrist_ways(&angles, &WristLimits::ANATOMICAL) {
                     wrist.look(value, limit + SLACK, frame, || way.to_owned());
                 }
@@ -133,16 +132,6 @@ impl Checking<'_> {
         }
         worst.finding(Kind::Jump, None, |frame| self.time_of(frame)).into_iter().collect()
     }
-}
-
-/// The turn of the forearm, flexion and deviation of the wrist that a hand's local rotation comes to.
-fn wrist_angles(rig: &ArmRig, hand: DQuat) -> ArmAngles {
-    // The angles do not depend on where the arm is: one that is bent by a right angle serves.
-    let rest = &rig.rest;
-    let bent = DQuat::from_axis_angle(rest.hinge(), std::f64::consts::FRAC_PI_2) * rest.fore();
-    let arm = [DVec3::ZERO, rest.fore(), rest.fore() + bent];
-    let straight = orient(rest, DQuat::IDENTITY, arm, DQuat::IDENTITY, None);
-    orient(rest, DQuat::IDENTITY, arm, straight.upper * straight.fore * hand, None).angles
 }
 
 /// Each way that a wrist goes, how far it goes there, and its limit.
