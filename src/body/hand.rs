@@ -13,7 +13,7 @@
 use crate::diagnostics::Error;
 use crate::motion::pose::LocalPose;
 use crate::motion::skeleton::{JointId, Skeleton};
-use crate::phonology::handshape::{FingerAngles, HandAngles, ThumbAngles};
+use crate::phonology::handshape::{FingerAngles, HandAngles, HandLimits, ThumbAngles};
 use crate::phonology::{Digit, Side};
 use glam::{DMat3, DQuat, DVec3};
 
@@ -105,21 +105,28 @@ impl HandRig {
         }
     }
 
+    /// Brings fingers together that are spread farther than their bent knuckles let them; the rest of the pose stays.
+    pub fn limit_spread(&self, pose: &mut LocalPose) {
+        for (i, [knuckle, ..]) in self.fingers.iter().enumerate() {
+            let local = mirrored(pose.rotation(*knuckle), self.side);
+            let (turn, mcp) = spread_and_flexion(local);
+            let limits = HandLimits::ANATOMICAL.fingers[i].abduction_at(mcp);
+            let abduction = turn * abduction_sign(i);
+            if !limits.holds(abduction) {
+                let within = DQuat::from_rotation_y(limits.clamp(abduction) * abduction_sign(i));
+                let local = within * DQuat::from_rotation_y(-turn) * local;
+                pose.set(*knuckle, mirrored(local, self.side));
+            }
+        }
+    }
+
     /// Measures the angles of a pose. Turns that no hand can make (a twisted finger) are left out.
     pub fn angles_of(&self, pose: &LocalPose) -> HandAngles {
         let local = |joint: JointId| mirrored(pose.rotation(joint), self.side);
         let fingers = std::array::from_fn(|i| {
             let [first, second, third] = self.fingers[i].map(local);
-            // The side axis after abduction tells the abduction; what is left of the turn is flexion.
-            let side = first * DVec3::Z;
-            let turn = side.x.atan2(side.z);
-            let flexed = DQuat::from_rotation_y(-turn) * first;
-            FingerAngles {
-                mcp: flexion(flexed),
-                abduction: turn * abduction_sign(i),
-                pip: flexion(second),
-                dip: flexion(third),
-            }
+            let (turn, mcp) = spread_and_flexion(first);
+            FingerAngles { mcp, abduction: turn * abduction_sign(i), pip: flexion(second), dip: flexion(third) }
         });
         let [first, second, third] = self.thumb.map(|j| DMat3::from_quat(local(j)));
         let rest = &self.thumb_rest;
@@ -141,6 +148,14 @@ impl HandRig {
 /// +1 where positive abduction is a positive turn about Y on the left hand: ring and little finger.
 fn abduction_sign(finger: usize) -> f64 {
     if finger < 2 { -1.0 } else { 1.0 }
+}
+
+/// The turns of a knuckle of the left hand about Y, then about its side axis toward the palm, radians.
+fn spread_and_flexion(knuckle: DQuat) -> (f64, f64) {
+    // The side axis after abduction tells the abduction; what is left of the turn is flexion.
+    let side = knuckle * DVec3::Z;
+    let turn = side.x.atan2(side.z);
+    (turn, flexion(DQuat::from_rotation_y(-turn) * knuckle))
 }
 
 /// The flexion of a turn about the side axis.

@@ -22,8 +22,15 @@ const EASE: f64 = 0.12;
 const HAND: f64 = 0.24;
 
 impl Stage<'_> {
-    /// Moves the targets of consecutive frames out of the body; `models` is empty where the body stands still.
-    pub(super) fn keep_clear(&self, side: Side, models: &[ModelPose], poses: &[LocalPose], targets: &mut [HandTarget]) {
+    /// Moves the targets of consecutive frames out of the body, and says how far, metres; nothing where none is moved. `models` is
+    /// empty where the body stands still.
+    pub(super) fn keep_clear(
+        &self,
+        side: Side,
+        models: &[ModelPose],
+        poses: &[LocalPose],
+        targets: &mut [HandTarget],
+    ) -> Vec<f64> {
         let tips = self.tips(side);
         let ways: Vec<DVec3> = targets
             .iter()
@@ -35,7 +42,7 @@ impl Stage<'_> {
             })
             .collect();
         if ways.iter().all(|way| *way == DVec3::ZERO) {
-            return;
+            return Vec::new();
         }
         let around = (EASE * self.options.fps.get()).round().max(1.0) as usize;
         let near = |i: usize, all: usize| i.saturating_sub(around)..(i + around + 1).min(all);
@@ -43,13 +50,16 @@ impl Stage<'_> {
             range.iter().copied().fold(DVec3::ZERO, |a, b| if b.length() > a.length() { b } else { a })
         };
         let widened: Vec<DVec3> = (0..ways.len()).map(|i| longest(&ways[near(i, ways.len())])).collect();
-        for (i, target) in targets.iter_mut().enumerate() {
+        let aside = |(i, target): (usize, &mut HandTarget)| {
             let range = near(i, widened.len());
             let count = range.len() as f64;
             let way = widened[range].iter().sum::<DVec3>() / count;
             let model = models.get(i).unwrap_or(&self.neutral_model);
-            target.point += way.clamp_length_max(self.leeway(target, model));
-        }
+            let way = way.clamp_length_max(self.leeway(target, model));
+            target.point += way;
+            way.length()
+        };
+        targets.iter_mut().enumerate().map(aside).collect()
     }
 
     /// The way by which one target is out of the body.

@@ -48,6 +48,8 @@ pub struct ArmFrame {
     pub wrist: DVec3,
     /// From the contact point to its target, metres.
     pub residual_m: f64,
+    /// How far the target was moved beforehand so that the hand stays out of the body, metres.
+    pub aside_m: f64,
     /// How far the hand is turned away from the rotation asked for, radians.
     pub tilt: f64,
     /// What the rotation asked for would take, before the limits; radians.
@@ -319,6 +321,7 @@ impl Chain<'_> {
             elbow: frame.elbow,
             wrist: frame.wrist,
             residual_m: reached.distance(target.point),
+            aside_m: 0.0,
             tilt: match self.options.free_hand {
                 true => 0.0,
                 false => crate::motion::rotation::angle_between(rotation, target.rotation),

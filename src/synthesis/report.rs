@@ -33,6 +33,8 @@ pub struct Report {
     pub wrist_speed: f64,
     /// The greatest distance of a contact point from its target during the strokes, metres.
     pub residual_m: f64,
+    /// The greatest distance that a hand keeps from its stated way so that it stays out of the body, metres.
+    pub aside_m: f64,
     /// How far a hand was turned away from the stated orientation by the wrist's limits, at most, radians.
     pub tilt: f64,
     /// Sentences for the author.
@@ -59,6 +61,9 @@ impl Report {
                     "{whose}{hand} hand at {time}: out of reach, it stays {mm:.0} mm away from its place"
                 ));
             }
+        }
+        if let Some((_, frame)) = by(|f| f.aside_m) {
+            self.aside_m = self.aside_m.max(frame.aside_m);
         }
         if let Some((time, frame)) = by(|f| f.tilt) {
             self.tilt = self.tilt.max(frame.tilt);

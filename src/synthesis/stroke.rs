@@ -96,8 +96,9 @@ impl Stage<'_> {
             }
         };
         let mut targets: Vec<HandTarget> = instants.iter().enumerate().map(target).collect();
+        let mut aside = Vec::new();
         if !self.options.paper && plan.wrist_path.is_none() && !plan.on_other_hand {
-            self.keep_clear(plan.side, &models, &poses[frames.clone()], &mut targets);
+            aside = self.keep_clear(plan.side, &models, &poses[frames.clone()], &mut targets);
         }
         let options = ReachOptions {
             limits: super::limits(self.options),
@@ -137,6 +138,9 @@ impl Stage<'_> {
                 frame.residual_m = wanted[n].distance(model.point(arm.hand, offset));
             }
         }
+        for (frame, aside) in solved.iter_mut().zip(aside) {
+            frame.aside_m = aside;
+        }
         self.smooth(plan.side, &solved, &mut poses[frames]);
         solved
     }
@@ -171,7 +175,8 @@ impl Stage<'_> {
         let shapes: Vec<[DQuat; 15]> = plan.postures.iter().map(|k| self.fingers(plan.side, &k.angles)).collect();
         // The ways from one shape to another, each made once.
         let mut ways: Vec<((usize, usize), [ShortArc; 15])> = Vec::new();
-        let joints = self.signer.hand(plan.side).joints();
+        let hand = self.signer.hand(plan.side);
+        let joints = hand.joints();
         for (now, pose) in instants.iter().zip(poses) {
             let change = now.change(plan);
             let order = now.leg(plan).map_or(FingerOrder::Together, |(placed, _)| placed.leg.fingers);
@@ -208,6 +213,8 @@ impl Stage<'_> {
             for (joint, rotation) in joints.iter().zip(fingers) {
                 pose.set(*joint, rotation);
             }
+            // Between two shapes, and while they play, fingers are bent otherwise than in either.
+            hand.limit_spread(pose);
         }
     }
 }

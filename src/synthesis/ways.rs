@@ -118,6 +118,7 @@ impl Stage<'_> {
             let share = (i as f64 / fps - way.begin) / whole;
             ease(&arm_joints, &arm_arcs, (&way.from.arm, &way.to.arm), share, pose);
             ease(&finger_joints, &finger_arcs, (&way.from.fingers, &way.to.fingers), share / way.lead, pose);
+            self.signer.hand(way.side).limit_spread(pose);
             match &wrist {
                 Some((from, to)) => write_wrist(arm, from, to, easing.weight(share), pose),
                 None => {

@@ -34,7 +34,8 @@ impl Checking<'_> {
             None => placement(key).and_then(|p| self.at_place(p, key).map(|off| (off, name_of(&p.place)))),
         };
         let Some((measured, place)) = measured.filter(|(off, _)| *off > OFF) else { return Vec::new() };
-        let admitted = measured <= self.performance.report.residual_m + SAME;
+        let report = &self.performance.report;
+        let admitted = measured <= report.residual_m.max(report.aside_m) + SAME;
         vec![Finding {
             kind: if admitted { Kind::OutOfReach } else { Kind::Contact },
             side: Some(key.side),
@@ -62,6 +63,14 @@ impl Checking<'_> {
     /// How far a hand is from its place, metres; `None` where it touches nothing there.
     fn at_place(&self, placement: &Placement, key: &Key) -> Option<f64> {
         if !touches(placement, &self.grammar.locations) {
+            return None;
+        }
+        // Of two hands that are each said to be on the other, the strong one is.
+        let strong_is_on_it = || {
+            let strong = resolve(key.phase, Hand::Strong).placement;
+            strong.stated(key.number).is_some_and(|p| matches!(p.place, Place::OtherHand(_)))
+        };
+        if key.hand == Hand::Weak && matches!(placement.place, Place::OtherHand(_)) && strong_is_on_it() {
             return None;
         }
         let moved = placement.offset.map_or(DVec3::ZERO, |(direction, metres)| direction.vector() * metres);
