@@ -15,7 +15,7 @@ use crate::body::signer::{Shoulder, Signer};
 use crate::diagnostics::Error;
 use crate::motion::clip::Frame;
 use crate::motion::pose::LocalPose;
-use crate::motion::rotation::continuous;
+use crate::motion::rotation::{angle_between, continuous};
 use crate::phonology::Side;
 use crate::score::plan::{Act, Plan};
 use crate::time::{FrameIndex, Seconds};
@@ -24,6 +24,9 @@ use glam::DVec3;
 
 /// The wrist stays under this speed, metres a second: durations that the sign leaves open grow.
 pub const WRIST_SPEED: f64 = 3.0;
+/// Joints of an arm stay under this speed, radians a second, as far as that takes no more than so many times as long: what is faster
+/// then is a leap, which is eased where it is.
+const TURN_SPEED: (f64, f64) = (18.0, 1.6);
 /// A posture that nothing moves in is seen when it is held this long, seconds (facts/phonology.md §5, cued speech).
 const LEAST_POSTURE: f64 = 0.10;
 /// Strokes may be pressed to this part of their usual time, where the wrist's speed allows it.
@@ -35,12 +38,29 @@ const SLOWEST_WAY: f64 = 4.0;
 /// A hand returns to the neutral pose between two strokes where it can stay there so long, seconds.
 const WORTH_RESTING: f64 = 0.15;
 
-/// The greatest speeds of a wrist, metres a second: in each item's stroke, on the way there, and on the way back.
+/// The greatest speeds of a wrist, metres a second, and of the joints of an arm, radians a second: in each item's stroke, on the
+/// way there, and on the way back.
 #[derive(Debug, Clone)]
 struct Speeds {
-    strokes: Vec<f64>,
-    ways: Vec<f64>,
-    retraction: f64,
+    strokes: Vec<Speed>,
+    ways: Vec<Speed>,
+    retraction: Speed,
+}
+
+/// How fast an arm is at its fastest.
+#[derive(Debug, Clone, Copy, Default)]
+struct Speed {
+    /// Of the wrist, metres a second.
+    wrist: f64,
+    /// Of a joint, radians a second.
+    turn: f64,
+}
+
+impl Speed {
+    /// The greater of two, each by itself.
+    fn most(self, other: Speed) -> Speed {
+        Speed { wrist: self.wrist.max(other.wrist), turn: self.turn.max(other.turn) }
+    }
 }
 
 /// Signs a plan at its own pace.
@@ -56,16 +76,16 @@ pub(super) fn measure(plan: &Plan, stage: &Stage) -> Result<Measured, Error> {
     let least =
         |usual: Seconds, speed: f64, floor: f64| Seconds((usual.0 * speed / WRIST_SPEED).max(floor).min(usual.0));
     for (i, (phases, item)) in measured.items.iter_mut().zip(&phased.plan.items).enumerate() {
-        phases.transition.least = least(phases.transition.usual, speeds.ways[i], LEAST_WAY);
+        phases.transition.least = least(phases.transition.usual, speeds.ways[i].wrist, LEAST_WAY);
         let pressed = phases.stroke.usual.0 * MOST_PRESSED;
-        phases.stroke.least = least(phases.stroke.usual, speeds.strokes[i], pressed);
+        phases.stroke.least = least(phases.stroke.usual, speeds.strokes[i].wrist, pressed);
         let floor = match &item.act {
             Act::Sign(sign) if sign.intervals == 0 => LEAST_POSTURE,
             Act::Sign(_) | Act::Hold(..) | Act::Rest(_) => 0.0,
         };
         phases.hold.least = least(phases.hold.usual, 0.0, floor);
     }
-    measured.retraction.least = least(measured.retraction.usual, speeds.retraction, LEAST_WAY);
+    measured.retraction.least = least(measured.retraction.usual, speeds.retraction.wrist, LEAST_WAY);
     Ok(phased.merged(measured))
 }
 
@@ -104,9 +124,12 @@ fn settle(phased: &Phased, stage: &Stage) -> Result<(Performance, Measured, Spee
         schedule.check(plan.items.len()).map_err(|e| e.context(title(plan)))?;
         let (performance, speeds) = write(stage, phased, &prepared, &schedule)?;
         let mut settled = true;
-        let mut grow = |speed: f64| {
-            settled &= speed <= WRIST_SPEED;
-            if speed > WRIST_SPEED { speed / WRIST_SPEED * 1.02 } else { 1.0 }
+        let mut grow = |speed: Speed| {
+            // A leap stays as fast however long it takes, so the turns count once.
+            let turned = if round == 0 { (speed.turn / TURN_SPEED.0).min(TURN_SPEED.1) } else { 0.0 };
+            let over = (speed.wrist / WRIST_SPEED).max(turned);
+            settled &= over <= 1.0;
+            if over > 1.0 { over * 1.02 } else { 1.0 }
         };
         for sign in prepared.iter_mut().filter(|p| !p.states_its_time) {
             sign.slow_down(grow(speeds.strokes[sign.item]));
@@ -176,9 +199,10 @@ fn write(
         write_ways(stage, plan, schedule, own, &mut poses);
     }
     let speeds = speeds(stage, plan.items.len(), &stints, &poses);
-    report.wrist_speed = speeds.strokes.iter().chain(&speeds.ways).copied().fold(speeds.retraction, f64::max);
+    report.wrist_speed = speeds.strokes.iter().chain(&speeds.ways).copied().fold(speeds.retraction, Speed::most).wrist;
     for sign in prepared {
-        let judged = report.judge(stage, sign, &schedule.items[sign.item], speeds.strokes[sign.item], &whose(sign));
+        let judged =
+            report.judge(stage, sign, &schedule.items[sign.item], speeds.strokes[sign.item].wrist, &whose(sign));
         judged.map_err(|e| e.context(&plan.items[sign.item].gloss))?;
     }
     for i in 1..count {
@@ -324,13 +348,21 @@ fn write_ways(stage: &Stage, plan: &Plan, schedule: &Schedule, stints: &[(Stint,
 /// How fast the wrists are in each stroke and on each way.
 fn speeds(stage: &Stage, items: usize, stints: &[Vec<(Stint, &HandPlan)>; 2], poses: &[LocalPose]) -> Speeds {
     let fps = stage.options.fps.get();
-    let mut speeds = Speeds { strokes: vec![0.0; items], ways: vec![0.0; items], retraction: 0.0 };
+    let mut speeds = Speeds {
+        strokes: vec![Speed::default(); items],
+        ways: vec![Speed::default(); items],
+        retraction: Speed::default(),
+    };
     for own in stints {
         let Some((first, _)) = own.first() else { continue };
         let places = wrists(stage, first.side, poses);
+        let arm = stage.signer.arm(first.side);
         let mut at = 0;
         for (i, pair) in places.windows(2).enumerate() {
-            let speed = pair[0].distance(pair[1]) * fps;
+            let turned = [arm.clavicle, arm.upper, arm.fore, arm.hand]
+                .map(|joint| angle_between(poses[i].rotation(joint), poses[i + 1].rotation(joint)));
+            let speed =
+                Speed { wrist: pair[0].distance(pair[1]) * fps, turn: turned.into_iter().fold(0.0, f64::max) * fps };
             while own.get(at).is_some_and(|(s, _)| i >= s.last) {
                 at += 1;
             }
@@ -339,7 +371,7 @@ fn speeds(stage: &Stage, items: usize, stints: &[Vec<(Stint, &HandPlan)>; 2], po
                 Some((stint, _)) if i < stint.first => &mut speeds.ways[stint.item],
                 Some((stint, _)) => &mut speeds.strokes[stint.item],
             };
-            *most = most.max(speed);
+            *most = most.most(speed);
         }
     }
     speeds
