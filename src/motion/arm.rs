@@ -121,10 +121,16 @@ impl ArmRest {
     /// assert!((angles.twist - 0.4).abs() + (angles.flexion + 0.3).abs() + (angles.radial - 0.1).abs() < 1e-9);
     /// ```
     pub fn angles(&self, hand: DQuat) -> ArmAngles {
-        let bent = to_vector(unit(swing_twist(hand, self.fore).twist.conjugate() * hand));
+        let twist = swing_twist(hand, self.fore).twist;
+        self.angles_of(twist, unit(twist.conjugate() * hand))
+    }
+
+    /// The angles of a hand's local rotation, taken apart already.
+    fn angles_of(&self, twist: DQuat, swing: DQuat) -> ArmAngles {
+        let bent = to_vector(swing);
         ArmAngles {
             elbow: 0.0,
-            twist: twist_angle(hand, self.fore),
+            twist: twist_angle(twist, self.fore),
             flexion: bent.dot(self.wrist_flexion),
             radial: bent.dot(self.wrist_radial),
         }
@@ -215,14 +221,15 @@ pub fn orient(rest: &ArmRest, parent: DQuat, arm: [DVec3; 3], hand: DQuat, hint:
     let hand_local = unit(fore_model.conjugate() * hand);
 
     let hand_twist = swing_twist(hand_local, rest.fore).twist;
-    let angles = rest.angles(hand_local);
+    let hand_swing = unit(hand_twist.conjugate() * hand_local);
+    let angles = rest.angles_of(hand_twist, hand_swing);
     let twist = hint.map_or(angles.twist, |h| unwrap_near(h.twist, angles.twist));
     ArmPose {
         upper: unit(parent.conjugate() * upper_model),
         fore: unit(upper_model.conjugate() * fore_model),
         hand: hand_local,
         hand_twist,
-        hand_swing: unit(hand_twist.conjugate() * hand_local),
+        hand_swing,
         angles: ArmAngles { elbow: elbow_angle, twist, ..angles },
         hinge_model,
     }

@@ -53,10 +53,14 @@ pub(crate) struct LexedLine<'a> {
     pub comment: Option<&'a str>,
 }
 
-/// The lines of a text with their byte offsets, without line ends (LF, CRLF, lone CR).
+/// The lines of a text with their byte offsets, without line ends (LF, CRLF, lone CR). White space after the last line end is none.
 pub(crate) fn lines(text: &str) -> impl Iterator<Item = (usize, &str)> {
     let body = text.strip_prefix('\u{feff}').unwrap_or(text);
     let mut offset = text.len() - body.len();
+    let body = match body.rsplit_once('\n') {
+        Some((before, last)) if last.trim().is_empty() => &body[..=before.len()],
+        Some(_) | None => body,
+    };
     body.split_inclusive('\n').flat_map(move |raw| {
         let start = offset;
         offset += raw.len();

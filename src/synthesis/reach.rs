@@ -285,16 +285,15 @@ impl Chain<'_> {
             // The hand is turned back within the wrist's limits about the contact point, and the forearm goes where that hand
             // needs it: they settle together. It is turned back from what is asked for every time, or it would drift.
             for round in 0..LIMIT_ROUNDS {
-                let bones = [frame.shoulder, frame.elbow, frame.wrist];
+                let fore = frame.parent * frame.arm.upper * frame.arm.fore;
                 let asked = match self.options.free_hand {
                     true => frame.arm.angles,
-                    false => orient(&self.arm.rest, frame.parent, bones, target.rotation, hint).angles,
+                    false => self.arm.rest.angles(fore.conjugate() * target.rotation),
                 };
                 if limits.excess(&frame.arm.angles) < 1e-10 && limits.excess(&asked) < 1e-10 {
                     break;
                 }
                 let (twist, flexion, radial) = limits.clamp(&asked);
-                let fore = frame.parent * frame.arm.upper * frame.arm.fore;
                 let within = (fore * self.arm.rest.hand(twist, flexion, radial)).normalize();
                 let turned = crate::motion::rotation::angle_between(within, rotation);
                 // A hand that swings to and fro between two turns meets in the middle.

@@ -32,6 +32,9 @@ fn line_ends_and_marks_of_other_systems() {
     check("\u{feff}sign A\r\n\tmovement\tup\r\n", "sign A\n  movement       up\n");
     check("", "");
     check("\n\n#\n", "#\n");
+    // What has no line end after it and says nothing is no line: the same file is read from what is printed.
+    check("sign A\n  ", "sign A\n");
+    assert_eq!(parse("sign A\n  ").0.lines.len(), parse("sign A\n").0.lines.len());
 }
 
 #[test]

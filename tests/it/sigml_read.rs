@@ -209,6 +209,7 @@ fn oddities_of_directions_are_read_as_they_are_meant() {
     assert_eq!(palm(r#"palmor="od""#), Facing::Toward(to("do")));
     assert_eq!(palm(r#"palmor="dl" abs_palmor="true""#), Facing::Toward(to("dl")));
     assert!(matches!(palm(r#"palmor="ld""#), Facing::Roll(_)));
+    assert!(matches!(palm(r#"palmor="ll""#), Facing::Roll(_)));
     let (_, told) = phase(r#"<directedmotion direction="uir" second_direction="oi"/>"#);
     assert!(told.len() == 1 && told[0].contains("opposite"), "{told:?}");
 }

@@ -2,7 +2,7 @@
 
 use super::reader::{Attr, Node, Reader, attributes, elements, tag_span};
 use super::shape::{ATTRIBUTES, ShapeWords};
-use super::words::{ARM, BODY, FLANK, Flank, Pointed, direction, roll};
+use super::words::{ARM, BODY, FLANK, Flank, Pointed, direction, letters, roll};
 use crate::notation::hamnosys::syntax::{BodyLevel, Facing, Fingers, Palm, Posture, Shape, Split};
 use crate::phonology::Direction;
 use crate::phonology::roll::Roll;
@@ -171,7 +171,11 @@ impl<'a> Reader<'a> {
             return Some(Facing::Roll(roll));
         }
         match direction(attr.value) {
-            Some(Pointed::One(toward)) => Some(Facing::Toward(toward)),
+            // A letter that is doubled, or in another order, may be a palm symbol all the same.
+            Some(Pointed::One(toward)) => match roll(&letters(toward)).filter(|_| !words.absolute_palm) {
+                Some(roll) => Some(Facing::Roll(roll)),
+                None => Some(Facing::Toward(toward)),
+            },
             Some(Pointed::Halfway(..)) | None => {
                 let known = Roll::TAGS.into_iter().chain(["directions of space such as `il`"]);
                 self.no_value(attr, "a palm", known);
