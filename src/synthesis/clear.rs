@@ -13,7 +13,7 @@ use glam::{DQuat, DVec3};
 const ALLOWED: f64 = 0.006;
 /// A hand that touches the skin is moved by so little at most, metres; by so many times more than its contact point is away from
 /// the skin.
-const AT_TOUCH: (f64, f64) = (0.008, 3.0);
+const AT_TOUCH: (f64, f64) = (0.003, 3.0);
 /// A contact point so near to the skin touches it, metres.
 const TOUCHES: f64 = 0.01;
 /// How long it takes to get out of the way, seconds.

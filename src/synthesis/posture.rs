@@ -11,11 +11,16 @@ use crate::motion::easing::slerp;
 use crate::motion::pose::LocalPose;
 use crate::motion::rotation::{angle_between, to_vector};
 use crate::phonology::symmetry::Resolved;
-use crate::phonology::{Configuration, Hand, HandPart, HandPoint, Orientation, Place, Placement, Side, Sign};
+use crate::phonology::{
+    Configuration, Distance, Hand, HandPart, HandPoint, Heading, Orientation, Place, Placement, Side, Sign,
+};
 use glam::{DQuat, DVec3};
 
 /// From this angle on, both ways about are looked at: 140°.
 const WIDE_TURN: f64 = 140.0 * std::f64::consts::PI / 180.0;
+
+/// A wrist that lies so far behind what touches the skin is in the body, metres: then the wrist touches it.
+const WRIST_INSIDE_M: f64 = 0.04;
 
 /// One hand's part of a description.
 #[derive(Debug, Clone, Copy)]
@@ -90,9 +95,7 @@ impl Planner<'_> {
             let target = Asker { meeting: Meeting::Meets, ..asker }.position(self, &target, known)?;
             let palm = said.orientation.at(key).and_then(|o| o.palm).map(|h| h.vector());
             let aim = self.aim(side, &self.shaped(side, &part.configuration(key), sign)?, target, palm);
-            let wrist = HandPoint::new(Default::default(), HandPart::Wrist, None);
-            let wrist = wrist.ok_or_else(|| Error::new("a wrist has no digits"))?;
-            site.with = Some(self.signer.landmarks.hand_point(side, wrist)?);
+            site.with = Some(self.wrist(side)?);
             site.anchor = Some(Anchor::Fixed(aim.wrist));
             site.turned = Some(aim.rotation);
             return Ok(site);
@@ -101,9 +104,34 @@ impl Planner<'_> {
         site.named = placement.with.is_some();
         site.with = Some(match placement.with {
             Some(point) => self.signer.landmarks.hand_point(side, point)?,
-            None => self.own_point(&part.configuration(key), sign, side, Touching::of(self.touches(placement)))?,
+            None => {
+                let own =
+                    self.own_point(&part.configuration(key), sign, side, Touching::of(self.touches(placement)))?;
+                if self.turns_away(&own, part, key, placement)? { self.wrist(side)? } else { own }
+            }
         });
         Ok(site)
+    }
+
+    /// Whether a hand that touches the body there with a point would be in the body: its fingers point away from the skin.
+    fn turns_away(&self, own: &ContactPoint, part: Part, key: usize, placement: &Placement) -> Result<bool, Error> {
+        let side = side_of(part.hand);
+        let Some(outward) = self.outward(placement, side).filter(|_| placement.distance == Distance::Touch) else {
+            return Ok(false);
+        };
+        let said = part.said.orientation.at(key).and_then(|o| o.fingers.zip(o.palm));
+        let rotation =
+            |(fingers, palm): (Heading, Heading)| self.signer.arm(side).hand_rotation(fingers.vector(), palm.vector());
+        let Some(rotation) = said.and_then(rotation) else { return Ok(false) };
+        let shaped = self.shaped(side, &part.configuration(key), part.sign)?;
+        Ok((rotation * self.signer.in_hand(side, own, &shaped)).dot(outward) > WRIST_INSIDE_M)
+    }
+
+    /// The wrist as the point that is placed.
+    fn wrist(&self, side: Side) -> Result<ContactPoint, Error> {
+        let wrist = HandPoint::new(Default::default(), HandPart::Wrist, None);
+        let wrist = wrist.ok_or_else(|| Error::new("a wrist has no digits"))?;
+        self.signer.landmarks.hand_point(side, wrist)
     }
 
     /// The hand of a side with the fingers of a configuration, everything else at rest.

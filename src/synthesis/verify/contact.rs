@@ -85,6 +85,10 @@ impl Checking<'_> {
     fn own_points(&self, placement: &Placement, key: &Key) -> Vec<ContactPoint> {
         let shape = &key.said.configuration;
         let mut said = vec![placement.with];
+        if placement.with.is_none() {
+            // A hand whose fingers point away from the skin touches it with its wrist.
+            said.extend(HandPoint::new(Default::default(), HandPart::Wrist, None).map(Some));
+        }
         if placement.with.is_none() && key.said.placement.stated(key.number).is_none() {
             let before = key.said.placement.at(key.number);
             let palm = || HandPoint::new(Default::default(), HandPart::Palm, None);
