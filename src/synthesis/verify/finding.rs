@@ -25,6 +25,8 @@ pub enum Kind {
     Finger,
     /// A finger is twisted, as none can be.
     FingerTwist,
+    /// A hand is in the trunk or the head.
+    InBody,
     /// A hand is away from what it should touch, and nothing was said of it.
     Contact,
     /// Fingers or palm look elsewhere than stated, and nothing was said of it.
@@ -108,7 +110,7 @@ impl Unit {
 
 impl Kind {
     /// All kinds, the gravest first.
-    pub const ALL: [Kind; 15] = [
+    pub const ALL: [Kind; 16] = [
         Kind::NotFinite,
         Kind::BoneLength,
         Kind::TooFast,
@@ -118,6 +120,7 @@ impl Kind {
         Kind::Wrist,
         Kind::Finger,
         Kind::FingerTwist,
+        Kind::InBody,
         Kind::Contact,
         Kind::Orientation,
         Kind::Short,
@@ -138,6 +141,7 @@ impl Kind {
             Kind::Wrist => "wrist beyond its limits",
             Kind::Finger => "finger beyond its limits",
             Kind::FingerTwist => "finger twisted",
+            Kind::InBody => "hand in the body",
             Kind::Contact => "contact missed",
             Kind::Orientation => "orientation missed",
             Kind::Short => "sign too short",
@@ -157,6 +161,7 @@ impl Kind {
             | Kind::Wrist
             | Kind::Finger
             | Kind::FingerTwist
+            | Kind::InBody
             | Kind::Contact
             | Kind::Orientation
             | Kind::Short
@@ -169,7 +174,7 @@ impl Kind {
     pub fn unit(self) -> Unit {
         match self {
             Kind::NotFinite => Unit::Count,
-            Kind::BoneLength | Kind::Contact | Kind::OutOfReach => Unit::Millimetres,
+            Kind::BoneLength | Kind::InBody | Kind::Contact | Kind::OutOfReach => Unit::Millimetres,
             Kind::TooFast | Kind::Fast => Unit::MetresASecond,
             Kind::Short | Kind::Long => Unit::Seconds,
             Kind::Jump

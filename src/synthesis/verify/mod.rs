@@ -6,7 +6,7 @@
 //!
 //! # What it measures
 //! Everything finite; bones as long as at rest; elbow, wrist and fingers within their limits, no finger twisted; no joint turning
-//! faster than a body's; wrists' speed; how long the sign takes; at the keys, contacts within a centimetre, fingers and palm within
+//! faster than a body's; no hand in the body; wrists' speed; how long the sign takes; at the keys, contacts within a centimetre, fingers and palm within
 //! five degrees.
 //!
 //! # Conventions
@@ -16,6 +16,7 @@
 
 mod contact;
 mod finding;
+mod inside;
 mod joints;
 mod key;
 mod pace;
@@ -61,6 +62,7 @@ pub fn verify(sign: &Sign, performance: &Performance, grammar: &Grammar, signer:
     findings.extend(checking.arms());
     findings.extend(checking.fingers());
     findings.extend(checking.jumps());
+    findings.extend(checking.inside());
     findings.extend(checking.pace());
     for key in checking.keys() {
         findings.extend(checking.contacts(&key));
