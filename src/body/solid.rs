@@ -18,6 +18,8 @@ use glam::{DQuat, DVec3};
 const FRONT: [&str; 5] = ["belowstomach", "stomach", "chest", "shoulders", "neck"];
 /// How the surface goes back at its sides: so far out and so far back, metres.
 const EDGE: (f64, f64) = (0.03, 0.10);
+/// How far below the chin the head's ellipsoid ends, so that the jaw is in it, metres.
+const BELOW_CHIN: f64 = 0.035;
 /// What lies deeper than this behind the front is behind the body, metres.
 const THICK: f64 = 0.15;
 
@@ -77,7 +79,7 @@ impl Solid {
         front.sort_by(|a, b| a.0.total_cmp(&b.0));
         let (top, chin, face) = (place("headtop", None)?, place("chin", None)?, place("forehead", None)?);
         let side = place("ear", Some(false))?;
-        let centre = DVec3::new(0.0, (top.y + chin.y) / 2.0, side.z);
+        let centre = DVec3::new(0.0, (top.y + chin.y - BELOW_CHIN) / 2.0, side.z);
         // Nose and mouth stand out of it, and what touches them with them.
         let radii = DVec3::new(side.x, top.y - centre.y, face.z - centre.z).max(DVec3::splat(0.01));
         let trunk = Carried::new(skeleton.joint("Spine2")?, standing);

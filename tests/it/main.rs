@@ -2,6 +2,7 @@
 mod body_hand;
 mod body_landmarks;
 mod body_skin;
+mod body_solid;
 mod format_csv;
 mod format_glb;
 mod phonology_handshape;

@@ -191,3 +191,50 @@ fn signs_that_last_too_short_or_too_long_are_found() {
     assert_eq!(kinds(&found), [Kind::Long]);
     assert!(found[0].to_string().contains("stroke and hold"));
 }
+
+#[test]
+fn hands_keep_out_of_the_body() {
+    let world = World::new();
+    // Down along the chest with the little finger's edge on it, over the top of the head, in circles on the shoulder.
+    let ways = [
+        "sign X\n  configuration flat\n  orientation fingers left, palm in\n  placement shoulders, touch, with pinky-side\n  movement down large\n",
+        "sign X\n  configuration flat\n  orientation fingers up, palm left\n  placement cheek right, touch\n  movement left\n",
+        "sign X\n  configuration S\n  orientation fingers up-left, palm left\n  placement shoulders, touch\n  movement circle right\n",
+    ];
+    for way in ways {
+        let sign = sign(way);
+        let performance = world.perform(&sign);
+        assert!(performance.report.aside_m > 0.01, "{way}: {:.3} m aside", performance.report.aside_m);
+        let found = kinds(&world.verify(&sign, &performance));
+        assert!(!found.contains(&Kind::InBody) && !found.contains(&Kind::Contact), "{way} {found:?}");
+    }
+    let through = sign("sign X\n  configuration flat\n  placement chest, touch\n  movement hold\n");
+    let found = world.changed(&through, |_, frame| {
+        let arm = world.signer.arm(chereme::phonology::Side::Right);
+        // The arm across the body, through it.
+        frame.pose.set(arm.upper, DQuat::from_rotation_y(-1.2) * DQuat::from_rotation_z(1.0));
+        frame.pose.set(arm.fore, DQuat::from_rotation_y(-1.9));
+    });
+    assert!(kinds(&found).contains(&Kind::InBody), "{found:?}");
+}
+
+#[test]
+fn a_fast_turn_takes_longer_instead_of_jumping() {
+    let world = World::new();
+    let turn = sign(
+        "sign X\n  configuration flat\n  placement chest\n  orientation fingers out, palm down then fingers out, palm up\n  movement up 2cm while change\n",
+    );
+    let performance = world.perform(&turn);
+    let found = kinds(&world.verify(&turn, &performance));
+    assert!(!found.contains(&Kind::Jump), "{found:?}");
+}
+
+#[test]
+fn a_hand_that_points_away_from_what_it_touches_touches_it_with_its_wrist() {
+    let world = World::new();
+    let away = sign(
+        "sign X\n  configuration flat\n  placement chest, touch\n  orientation fingers out, palm left\n  movement hold\n",
+    );
+    let performance = world.perform(&away);
+    assert_eq!(kinds(&world.verify(&away, &performance)), []);
+}
