@@ -122,7 +122,8 @@ impl Planner<'_> {
         let other = Part { hand: part.hand.other(), ..part };
         let point = self.meeting_point(other, contact, key)?;
         // A hand that goes over to the other stays farther off than two that come to one middle.
-        let farther = if contact.kind == ContactKind::Close { FARTHER } else { 1.0 };
+        let named = contact.strong.is_some() || contact.weak.is_some();
+        let farther = if contact.kind == ContactKind::Close && named { FARTHER } else { 1.0 };
         Ok(Anchor::over_contact(&point, farther * self.apart(contact)))
     }
 

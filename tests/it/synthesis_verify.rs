@@ -199,7 +199,7 @@ fn hands_keep_out_of_the_body() {
     let ways = [
         "sign X\n  configuration flat\n  orientation fingers left, palm in\n  placement shoulders, touch, with pinky-side\n  movement down large\n",
         "sign X\n  configuration flat\n  orientation fingers up, palm left\n  placement cheek right, touch\n  movement left\n",
-        "sign X\n  configuration S\n  orientation fingers up-left, palm left\n  placement shoulders, touch\n  movement circle right\n",
+        "sign X\n  configuration S\n  orientation fingers up-left, palm left\n  placement shoulders, touch\n  movement circle axis right\n",
     ];
     for way in ways {
         let sign = sign(way);

@@ -441,7 +441,9 @@ pub enum Location {
 /// Two hands at each other (`handconstellation`).
 #[derive(Debug, Clone, PartialEq)]
 pub struct Constellation {
-    /// The parts of the strong and the weak hand, where they are said.
+    /// The parts of the hands, where they are said: first what is touched, a part of the weak hand, then what touches it, a part of the
+    /// strong one. Places are said like that everywhere, the place before the part of the hand that is there; brackets of places of
+    /// their own ([`Location::Split`]) name the strong hand first.
     pub points: Option<(HandLevels, HandLevels)>,
     /// How they meet; with points and none said, they are beside each other.
     pub contact: Option<Contact>,

@@ -186,7 +186,7 @@ impl Phases<'_> {
                 let place = match (&c.at, &c.points) {
                     (None, None) => self.touched(c.contact),
                     (Some(site), _) => self.placement(site, hand),
-                    (None, Some((own, other))) => {
+                    (None, Some((other, own))) => {
                         let site =
                             syntax::Site::Hand { level: other.clone(), contact: c.contact, with: Some(own.clone()) };
                         self.placement(&site, hand)
@@ -195,8 +195,7 @@ impl Phases<'_> {
                 lead(&mut movement, place);
             }
             Location::Constellation(c) => {
-                let points = c.points.as_ref().map(|(a, b)| self.points(a, b));
-                let (strong, weak) = points.map_or((None, None), |(a, b)| (Some(a), Some(b)));
+                let (strong, weak) = c.points.as_ref().map(|points| self.points(points)).unzip();
                 let contact = Contact { strong, weak, kind: contact_kind(c.contact) };
                 match depth {
                     Depth::Key => self.take_contact(contact),

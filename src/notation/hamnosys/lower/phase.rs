@@ -239,8 +239,8 @@ impl Phases<'_> {
         self.contact.push((key, contact));
     }
 
-    /// The points of the strong and the weak hand.
-    pub(super) fn points(&self, strong: &HandLevels, weak: &HandLevels) -> (HandPoint, HandPoint) {
+    /// The points of the strong and the weak hand, of a constellation's parts.
+    pub(super) fn points(&self, (weak, strong): &(HandLevels, HandLevels)) -> (HandPoint, HandPoint) {
         let places = self.places(Hand::Strong);
         (places.own_point(strong), places.other_point(weak))
     }
@@ -311,8 +311,7 @@ impl Phases<'_> {
             self.locate(&Location::One(site.clone()));
         }
         if self.has_both_hands() {
-            let points = c.points.as_ref().map(|(a, b)| self.points(a, b));
-            let (strong, weak) = points.map_or((None, None), |(a, b)| (Some(a), Some(b)));
+            let (strong, weak) = c.points.as_ref().map(|points| self.points(points)).unzip();
             self.take_contact(Contact { strong, weak, kind: contact_kind(c.contact) });
         } else if c.at.is_none() {
             self.warn("a contact of two hands says nothing where one acts");

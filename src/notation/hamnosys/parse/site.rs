@@ -296,16 +296,16 @@ impl Parser {
     }
 }
 
-/// The points of two hands at each other, where both sites are parts of hands or arms of which nothing more is said;
+/// The points of two hands at each other, where both sites in brackets are parts of hands or arms of which nothing more is said;
 /// else the places of the two hands.
-pub(super) fn points(strong: Option<Site>, weak: Option<Site>) -> Result<(HandLevels, HandLevels), Box<Location>> {
-    if strong.as_ref().is_some_and(is_point)
-        && weak.as_ref().is_some_and(is_point)
-        && let (Some(strong), Some(weak)) = (strong.clone().and_then(point), weak.clone().and_then(point))
+pub(super) fn points(first: Option<Site>, second: Option<Site>) -> Result<(HandLevels, HandLevels), Box<Location>> {
+    if first.as_ref().is_some_and(is_point)
+        && second.as_ref().is_some_and(is_point)
+        && let (Some(touched), Some(touching)) = (first.clone().and_then(point), second.clone().and_then(point))
     {
-        return Ok((strong, weak));
+        return Ok((touched, touching));
     }
-    Err(Box::new(Location::Split(strong, weak)))
+    Err(Box::new(Location::Split(first, second)))
 }
 
 /// Whether a site is a part of a hand or arm, and no more is said of it.

@@ -28,11 +28,11 @@ impl Writer {
     }
 
     fn constellation(&mut self, constellation: &Constellation) {
-        if let Some((strong, weak)) = &constellation.points {
+        if let Some((touched, touching)) = &constellation.points {
             self.put("hamparbegin");
-            self.hand_levels(strong);
+            self.hand_levels(touched);
             self.put("hamplus");
-            self.hand_levels(weak);
+            self.hand_levels(touching);
             self.put("hamparend");
         }
         match (constellation.contact, &constellation.points) {

@@ -26,8 +26,8 @@ fn constellation(both: &Constellation) -> Result<Element, Error> {
     if let Some(contact) = both.contact {
         element.word("contact", contact, &CONTACT);
     }
-    if let Some((strong, weak)) = &both.points {
-        element.children.extend([hand("location_hand", strong)?, hand("location_hand", weak)?]);
+    if let Some((touched, touching)) = &both.points {
+        element.children.extend([hand("location_hand", touched)?, hand("location_hand", touching)?]);
     }
     match &both.at {
         Some(Site::Hand { .. }) => {
