@@ -37,7 +37,7 @@ impl Origin {
     /// A line of glosses, or a sign without a file.
     pub(super) fn of_line(name: &str, language: &str) -> Origin {
         let (name, language) = (name.to_owned(), language.to_owned());
-        Origin { stem: name.clone(), name, language, folder: PathBuf::new(), number: 1, of: 1 }
+        Origin { stem: safe(&name), name, language, folder: PathBuf::new(), number: 1, of: 1 }
     }
 
     /// Whether both stand in one file that has several signs.
@@ -49,7 +49,7 @@ impl Origin {
     pub(super) fn of_text(sign: &Sign, text: &Text, number: usize, of: usize) -> Origin {
         let stem = text.path.as_deref().and_then(Path::file_stem).map(|stem| stem.to_string_lossy().into_owned());
         Origin {
-            stem: stem.unwrap_or_else(|| sign.name.clone()),
+            stem: stem.unwrap_or_else(|| safe(&sign.name)),
             folder: text.folder.clone(),
             number,
             of,
@@ -83,7 +83,7 @@ impl Field {
 
     fn of(self, origin: &Origin) -> String {
         match self {
-            Field::Stem => safe(&origin.stem),
+            Field::Stem => origin.stem.clone(),
             Field::Name => safe(&origin.name),
             Field::Language if origin.language.is_empty() => UNDETERMINED.to_owned(),
             Field::Language => safe(&origin.language),
@@ -147,7 +147,7 @@ fn fields() -> String {
 
 /// A gloss as part of a file's name, on all systems: no separators, no control characters, no dot in front or at the end.
 pub(super) fn safe(name: &str) -> String {
-    let replaced = |c: char| if c.is_control() || "/\\:*?\"<>|{}".contains(c) { '_' } else { c };
+    let replaced = |c: char| if c.is_control() || "/\\:*?\"<>|".contains(c) { '_' } else { c };
     let name: String = name.chars().map(replaced).take(LONGEST).collect();
     let name = name.trim().trim_end_matches('.');
     match name.strip_prefix('.') {

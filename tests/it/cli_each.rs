@@ -106,3 +106,12 @@ fn files_with_several_signs_number_or_name_them() {
     assert_eq!((forced.code, forced.err.as_str()), (0, ""));
     assert_eq!(names(&folder.0.join("out")).len(), 8);
 }
+
+#[test]
+fn stems_stay_as_they_are() {
+    let folder = Folder::new("each-stems");
+    folder.write("in/GEVEN-CL{PLAT}-DI{1_3A}.sign", "sign GEVEN\n  movement  up 5cm\n");
+    let out = run(&folder.0, &["render", "in", "--each", "-o", "out/{stem}.csv", "--fps", "30"], "");
+    assert_eq!(out.code, 0, "{}", out.err);
+    assert_eq!(names(&folder.0.join("out")), ["GEVEN-CL{PLAT}-DI{1_3A}.csv"]);
+}
