@@ -2,6 +2,7 @@
 #![no_main]
 
 use chereme::diagnostics::render::render;
+use chereme::notation::syntax::{File, Line};
 use chereme::notation::{Vocabulary, parse, print, read, source_of_bytes, write};
 use libfuzzer_sys::fuzz_target;
 use std::sync::OnceLock;
@@ -18,7 +19,11 @@ fuzz_target!(|bytes: &[u8]| {
         return;
     }
     let printed = print(&reading.file);
-    assert_eq!(parse(&printed).0, reading.file, "{printed}");
+    // Signs come to stand apart, so blank lines are no part of what is said.
+    let said = |file: &File| -> Vec<Line> {
+        file.lines.iter().filter(|line| line.content.is_some() || line.comment.is_some()).cloned().collect()
+    };
+    assert_eq!(said(&parse(&printed).0), said(&reading.file), "{printed}");
     assert_eq!(print(&parse(&printed).0), printed);
     for named in &reading.signs {
         let written = write(&named.sign);

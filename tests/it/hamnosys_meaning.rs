@@ -174,3 +174,66 @@ fn sign_at_a_point() -> Sign {
     let read = read_any(&Source::new("p.sign", text), Notation::Sign, &Words::default(), "");
     read.signs[0].sign.clone()
 }
+
+/// What `.sign` text says, in names of symbols and read again.
+fn through_hamnosys(text: &str) -> (Sign, Sign) {
+    let reading = chereme::notation::read(text, &chereme::notation::Vocabulary::builtin(), "");
+    assert_eq!(reading.diagnostics, [], "{text}");
+    let said = reading.signs[0].sign.clone();
+    let raised = raise(&said, Dictionary::builtin()).unwrap_or_else(|e| panic!("{text}: {e:?}"));
+    let again = lower(&raised.sign, Dictionary::builtin(), "").0.expect("a meaning");
+    (said, again)
+}
+
+#[test]
+fn two_hands_of_which_the_same_is_said_stay_two() {
+    for text in [
+        "sign X\n  hands both\n  configuration flat\n  placement chest\n",
+        "sign X\n  hands both\n  configuration flat\n  strong movement up\n",
+        "sign X\n  hands both\n  orientation fingers up, palm out\n",
+        "sign X\n  hands both\n  placement chest, close\n",
+    ] {
+        let (said, again) = through_hamnosys(text);
+        assert_eq!(again.hands, Hands::Both(None), "{text}");
+        assert_eq!((&again.strong, &again.weak), (&said.strong, &said.weak), "{text}");
+    }
+    let nothing = chereme::notation::read("sign X\n  hands both\n", &chereme::notation::Vocabulary::builtin(), "");
+    let told = raise(&nothing.signs[0].sign, Dictionary::builtin()).unwrap_err();
+    assert!(told[0].contains("second hand"), "{told:?}");
+}
+
+#[test]
+fn a_constellation_names_what_is_touched_first() {
+    let tip = sign(
+        "hamparbegin,hamfinger2,hamplus,hamflathand,hamparend,hamparbegin,hamextfingerl,hamplus,hamextfingeror,hamparend,\
+         hampalmd,hamparbegin,hampalm,hamplus,hamfingertip,hamindexfinger,hamparend,hamtouch,hammoved,hamsmallmod",
+    );
+    let contact = tip.contact.stated(0).expect("a contact");
+    let part = |point: Option<chereme::phonology::HandPoint>| point.map(|p| p.part());
+    use chereme::phonology::HandPart;
+    assert_eq!((part(contact.strong), part(contact.weak)), (Some(HandPart::Tip), Some(HandPart::Palm)));
+    let (said, again) = through_hamnosys(
+        "sign X\n  hands both\n  strong configuration index\n  weak configuration flat\n  contact strong index tip touches weak palm at start\n",
+    );
+    assert_eq!(said.contact, again.contact);
+}
+
+#[test]
+fn three_turns_and_the_speed_of_brackets_come_back() {
+    let (said, again) = through_hamnosys("sign X\n  configuration flat\n  movement circle axis out small turns 3\n");
+    assert_eq!(said.strong.movement, again.strong.movement);
+    let cue = |sign: &Sign| sign.nonmanual.clone();
+    let (_, once) = through_hamnosys("sign X\n  configuration flat\n  head (nod then shake)\n");
+    assert!(!cue(&once).is_empty());
+}
+
+#[test]
+fn mouth_gestures_that_are_words_are_known() {
+    let text = r#"<sigml><hns_sign gloss="X"><hamnosys_nonmanual><hnm_mouthgesture tag="sad"/></hamnosys_nonmanual>
+        <hamnosys_manual><hamflathand/><hamextfingeru/><hampalml/></hamnosys_manual></hns_sign></sigml>"#;
+    let (signs, told) = sigml::read(&Source::new("x.sigml", text));
+    assert!(told.is_empty(), "{told:?}");
+    let (sign, told) = lower(&signs[0], Dictionary::builtin(), "");
+    assert!(told.is_empty(), "{told:?}");
+    assert_eq!(sign.expect("a meaning").nonmanual.len(), 1);
+}

@@ -157,6 +157,10 @@ impl Convert {
             for Refused { sign, reasons } in &written.refused {
                 progress.say(&format!("chereme: {}: {}\n", group.signs[*sign].name, reasons.join("; ")));
             }
+            let told = written.nearly.iter().filter(|_| loudness == Loudness::Told);
+            for Refused { sign, reasons } in told {
+                progress.say(&format!("warning: {}: {}\n", group.signs[*sign].name, reasons.join("; ")));
+            }
             unsaid += written.refused.len();
             match done {
                 Ok(()) => {

@@ -198,7 +198,9 @@ fn one(tree: syntax::Sign, form: Form) -> Result<One, Vec<String>> {
         })
     };
     let alone = |kind| {
-        let written = sigml::write(std::slice::from_ref(&tree), kind);
+        // Who is told knows which sign it is about.
+        let nameless = syntax::Sign { gloss: None, ..tree.clone() };
+        let written = sigml::write(&[nameless], kind);
         written.map(|_| String::new()).map_err(|e| vec![e.to_string()])
     };
     let text = match form {

@@ -13,7 +13,7 @@ pub(super) mod action;
 pub(super) mod location;
 mod nonmanual;
 pub(super) mod orientation;
-mod phase;
+pub(super) mod phase;
 pub(super) mod shape;
 
 use super::dictionary::Dictionary;

@@ -81,9 +81,12 @@ fn meaning(feature: &Feature, dictionary: &Dictionary) -> Option<(Channel, NonMa
         let sounds = feature.value.trim();
         return (!sounds.is_empty()).then(|| (Channel::Mouth, NonManualValue::Mouthing(sounds.to_owned())));
     }
-    let tag = feature.value.trim().to_uppercase();
+    let written = feature.value.trim();
+    // Tags are capitals but for a few words.
+    let (tag, word) = (written.to_uppercase(), written.to_lowercase());
     let found = |channel: &Channel| {
-        dictionary.value(*channel, &tag).map(|name| (*channel, NonManualValue::Named(name.to_owned())))
+        let value = dictionary.value(*channel, &tag).or_else(|| dictionary.value(*channel, &word));
+        value.map(|name| (*channel, NonManualValue::Named(name.to_owned())))
     };
     channels(feature.kind).iter().find_map(found)
 }

@@ -88,7 +88,7 @@ pub(super) fn phase(
 }
 
 /// Which hands act. Split postures or actions without a symmetry need both.
-fn hands_of(phase: &Phase) -> phonology::Hands {
+pub(in crate::notation::hamnosys) fn hands_of(phase: &Phase) -> phonology::Hands {
     match phase.hands {
         Hands::Weak => phonology::Hands::Weak,
         Hands::Both(s) => phonology::Hands::Both(Some(symmetry(s))),

@@ -218,7 +218,7 @@ impl Raising<'_> {
         if (eighths - turns * 8.0).abs() > 0.01 {
             self.warn("HamNoSys counts circles in eighths of a turn");
         }
-        let eighths = eighths.clamp(1.0, 23.0) as u8;
+        let eighths = eighths.clamp(1.0, 24.0) as u8;
         let (whole, part) = (eighths / 8, eighths % 8);
         if turns > 3.0 {
             self.warn("HamNoSys has no circles of more than three turns");

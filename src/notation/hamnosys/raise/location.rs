@@ -148,7 +148,9 @@ pub(crate) fn constellation(
     dictionary: &Dictionary,
 ) -> Result<Constellation, String> {
     let points = match (contact.strong, contact.weak) {
-        (Some(strong), Some(weak)) => Some((levels(weak, Hand::Weak, dictionary)?, levels(strong, Hand::Strong, dictionary)?)),
+        (Some(strong), Some(weak)) => {
+            Some((levels(weak, Hand::Weak, dictionary)?, levels(strong, Hand::Strong, dictionary)?))
+        }
         (None, None) => None,
         (Some(_), None) | (None, Some(_)) => {
             return Err("HamNoSys names the points of both hands or of none".to_owned());

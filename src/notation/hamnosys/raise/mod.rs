@@ -48,7 +48,7 @@ pub fn raise(sign: &Sign, dictionary: &Dictionary) -> Result<Raised, Vec<String>
         true => Vec::new(),
         false => sign.phases().map(|p| phase::phase(p, language, dictionary, &mut errors, &mut warnings)).collect(),
     };
-    let nonmanual = nonmanual::tiers(&sign.nonmanual, dictionary, &mut errors);
+    let nonmanual = nonmanual::tiers(&sign.nonmanual, dictionary, &mut errors, &mut warnings);
     if !errors.is_empty() {
         return Err(errors);
     }

@@ -10,9 +10,16 @@ pub(super) fn tiers(
     nonmanual: &[(Channel, Keys<NonManual>)],
     dictionary: &Dictionary,
     errors: &mut Vec<String>,
+    warnings: &mut Vec<String>,
 ) -> Vec<Tier> {
     let mut all: Vec<(TierKind, Vec<Cue>)> = Vec::new();
     for (channel, values) in nonmanual {
+        if values.len() > 1 || values.iter().any(|(key, _)| key > 0) {
+            let when = "SiGML says non-manual values one after the other, over the whole sign, not at which posture";
+            if !warnings.iter().any(|w| w == when) {
+                warnings.push(when.to_owned());
+            }
+        }
         let mut cues: Vec<Cue> = values.iter().filter_map(|(_, v)| cue(*channel, v, dictionary, errors)).collect();
         let Some(cue) = (if cues.len() > 1 { Some(Cue::Sequence(cues)) } else { cues.pop() }) else { continue };
         let (tier, _) = kinds(*channel);
@@ -52,8 +59,10 @@ fn kinds(channel: Channel) -> (TierKind, FeatureKind) {
 }
 
 fn cue(channel: Channel, value: &NonManual, dictionary: &Dictionary, errors: &mut Vec<String>) -> Option<Cue> {
+    // Brackets have no amount and no speed of their own: their parts have it.
     let mut all = |values: &[NonManual]| -> Vec<Cue> {
-        values.iter().filter_map(|v| cue(channel, v, dictionary, errors)).collect()
+        let cues = values.iter().filter_map(|v| cue(channel, v, dictionary, errors));
+        cues.map(|one| scaled(one, value.amount, value.pace)).collect()
     };
     let (kind, tag) = match &value.value {
         NonManualValue::Sequence(values) => return Some(Cue::Sequence(all(values))),
@@ -84,6 +93,20 @@ fn cue(channel: Channel, value: &NonManual, dictionary: &Dictionary, errors: &mu
         speed: (value.pace != 1.0).then_some(value.pace),
         span: Default::default(),
     }))
+}
+
+/// A cue with an amount and a speed on top of its own.
+fn scaled(cue: Cue, amount: Amount, pace: f64) -> Cue {
+    let all = |cues: Vec<Cue>| cues.into_iter().map(|one| scaled(one, amount, pace)).collect();
+    let times = |own: Option<f64>, factor: f64| Some(own.unwrap_or(1.0) * factor).filter(|product| *product != 1.0);
+    match cue {
+        Cue::Sequence(cues) => Cue::Sequence(all(cues)),
+        Cue::Together(cues) => Cue::Together(all(cues)),
+        Cue::One(feature) => {
+            let (amount, speed) = (times(feature.amount, amount.factor()), times(feature.speed, pace));
+            Cue::One(Feature { amount, speed, ..feature })
+        }
+    }
 }
 
 /// The tag of a head or gaze that turns to a direction.

@@ -1,6 +1,7 @@
 //! One phase of a sign to posture, place and actions.
 
 use super::super::dictionary::Dictionary;
+use super::super::lower::phase::hands_of;
 use super::super::syntax::{
     Action, Fingers, Hands, Location, Motion, Move, Palm, Phase, Posture, Shape, Site, Split, Symmetry,
 };
@@ -64,7 +65,7 @@ pub(super) fn phase(
     let posture = raising.posture(sign, 0, Said::Whole);
     let location = raising.location(sign, 0);
     let actions = (0..sign.intervals).map(|i| raising.interval(sign, i)).collect();
-    Phase {
+    let mut phase = Phase {
         hands: hands(sign.hands),
         holds_over: sign.holds_over,
         body: Vec::new(),
@@ -72,7 +73,26 @@ pub(super) fn phase(
         location,
         actions,
         span: Default::default(),
+    };
+    if sign.hands == phonology::Hands::Both(None) && hands_of(&phase) != sign.hands && !name_both(&mut phase) {
+        raising.fail("HamNoSys shows that a second hand acts by what it says of it, and nothing is said of it");
     }
+    phase
+}
+
+/// Says what is said of both hands of each one, so that it shows that there are two. `false` where nothing is said.
+fn name_both(phase: &mut Phase) -> bool {
+    fn each<T: Clone>(split: &mut Option<Split<T>>) -> bool {
+        let Some(Split::Both(value)) = split else { return false };
+        *split = Some(Split::Each(Some(value.clone()), Some(value.clone())));
+        true
+    }
+    if each(&mut phase.posture.shape) || each(&mut phase.posture.fingers) || each(&mut phase.posture.palm) {
+        return true;
+    }
+    let Some(Location::One(site)) = &phase.location else { return false };
+    phase.location = Some(Location::Split(Some(site.clone()), Some(site.clone())));
+    true
 }
 
 fn hands(hands: phonology::Hands) -> Hands {
