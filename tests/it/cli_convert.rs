@@ -90,3 +90,28 @@ fn what_is_asked_for_wrongly_is_told_before_any_work() {
     }
     assert_eq!(names(&folder.0), ["a.sign", "out"]);
 }
+
+#[test]
+fn the_hands_alone_are_written_where_the_form_has_no_face() {
+    let folder = Folder::new("convert-manual");
+    for n in 0..12 {
+        folder.write(&format!("in/s{n}.sign"), "sign X\n  configuration flat\n  mouth mouthing \"ba\"\n");
+    }
+    let refused = run(&folder.0, &["convert", "in", "-o", "out/{stem}.ham"], "");
+    assert_eq!(refused.code, 1, "{}", refused.err);
+    assert_eq!(refused.err.matches("no symbols for non-manual tiers").count(), 9, "{}", refused.err);
+    assert!(refused.err.contains("and 4 more") && refused.err.contains("--manual"), "{}", refused.err);
+    let hands = run(&folder.0, &["convert", "in/s1.sign", "--manual", "--as", "names"], "");
+    assert_eq!((hands.code, hands.out.as_str()), (0, "X\thamflathand\n"), "{}", hands.err);
+}
+
+#[test]
+fn what_is_said_only_nearly_is_told() {
+    let folder = Folder::new("convert-nearly");
+    let circle = "sign X\n  configuration flat\n  movement circle axis out turns 1.3\n";
+    let told = run(&folder.0, &["convert", "-", "--as", "names"], circle);
+    assert_eq!(told.code, 0, "{}", told.err);
+    assert!(told.err.contains("warning: X: HamNoSys counts circles in eighths"), "{}", told.err);
+    let quiet = run(&folder.0, &["convert", "-", "--as", "names", "-q"], circle);
+    assert!(!quiet.err.contains("eighths"), "{}", quiet.err);
+}

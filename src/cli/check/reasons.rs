@@ -55,7 +55,8 @@ pub(super) fn reasons(checkups: &[Checkup]) -> Vec<Reason> {
     let mut all: BTreeMap<(&'static str, String), (Reason, usize)> = BTreeMap::new();
     for (number, checkup) in checkups.iter().enumerate() {
         for diagnostic in &checkup.diagnostics {
-            let (severity, kind) = (word(diagnostic.severity), generalised(&diagnostic.message));
+            let (severity, kind) =
+                (word(diagnostic.severity), generalised(nameless(&diagnostic.message, &checkup.text.source.text)));
             let first = || {
                 let example = Example::of(diagnostic, checkup);
                 (Reason { severity, kind: kind.clone(), count: 0, files: 0, example }, usize::MAX)
@@ -70,6 +71,14 @@ pub(super) fn reasons(checkups: &[Checkup]) -> Vec<Reason> {
     // Stable: of equally frequent ones by severity ("fault" before "warning") and kind.
     reasons.sort_by(|a, b| a.severity.cmp(b.severity).then(b.count.cmp(&a.count)));
     reasons
+}
+
+/// A message without the gloss that it begins with: one that the text names in quotes, or the number of a sign.
+fn nameless<'m>(message: &'m str, text: &str) -> &'m str {
+    let Some((name, rest)) = message.split_once(": ") else { return message };
+    let numbered = name.strip_prefix("sign ").is_some_and(|n| n.bytes().all(|b| b.is_ascii_digit()));
+    let is_gloss = || ['"', '\''].iter().any(|quote| text.contains(&format!("{quote}{name}{quote}")));
+    if numbered || (!name.contains('`') && is_gloss()) { rest } else { message }
 }
 
 /// A message with `…` for what is quoted, `N` for numbers and `…` for symbols of HamNoSys.

@@ -9,11 +9,12 @@ use super::{Failure, Sources, files, terminal, world};
 use crate::notation::formats::{Form, Notation, Refused, Words, Written, write_any};
 use crate::phonology::Sign;
 use output::{Group, Target};
+use std::collections::BTreeMap;
 use std::time::Instant;
 
 #[derive(Debug, clap::Args)]
 #[command(
-    after_help = "Examples:\n  chereme convert bol.sign -o bol.sigml\n  chereme convert haus.sigml -o haus.sign\n  chereme convert corpus -o 'out/{folder}/{stem}.sign'    a file for each file, on all cores\n  chereme convert all.sigml -o 'out/{name}.sign'          a file for each sign\n  chereme convert BOL CHIEN --as names                    two signs of the lexicon, to standard output\n  chereme convert lexicon/lsf -o lsf.sigml --as hns       a folder into one file\n  chereme convert - --from sigml --as sign < haus.sigml\n\nForms: sign (.sign), sigml (gestural SiGML), hns (SiGML, symbol by symbol), hamnosys (symbols), names (their names).\nExit codes: 0 fine (warnings included), 1 a sign cannot be read or cannot be said in the form, 2 wrong usage."
+    after_help = "Examples:\n  chereme convert ngt -o 'out/{stem}.ham' --manual         HamNoSys of the hands, from SiGML with faces\n  chereme convert bol.sign -o bol.sigml\n  chereme convert haus.sigml -o haus.sign\n  chereme convert corpus -o 'out/{folder}/{stem}.sign'    a file for each file, on all cores\n  chereme convert all.sigml -o 'out/{name}.sign'          a file for each sign\n  chereme convert BOL CHIEN --as names                    two signs of the lexicon, to standard output\n  chereme convert lexicon/lsf -o lsf.sigml --as hns       a folder into one file\n  chereme convert - --from sigml --as sign < haus.sigml\n\nForms: sign (.sign), sigml (gestural SiGML), hns (SiGML, symbol by symbol), hamnosys (symbols), names (their names).\nExit codes: 0 fine (warnings included), 1 a sign cannot be read or cannot be said in the form, 2 wrong usage."
 )]
 pub(super) struct Convert {
     /// Files or folders of signs in any notation, names of signs, strings of HamNoSys, or - for standard input
@@ -28,6 +29,9 @@ pub(super) struct Convert {
     /// The notation of files and of standard input [default: by extension, else by content]
     #[arg(long, value_name = "NOTATION")]
     from: Option<Original>,
+    /// Write the hands alone: leave out what face, head and body do, for which HamNoSys has no symbols
+    #[arg(long)]
+    manual: bool,
     /// The language of signs given by name, where several have one of that name
     #[arg(long, value_name = "NAME")]
     language: Option<String>,
@@ -105,6 +109,9 @@ impl Convert {
         for what in &self.what {
             found.extend(finder.find(what)?);
         }
+        if self.manual {
+            found.iter_mut().for_each(|found| found.sign.nonmanual.clear());
+        }
         if found.is_empty() && !finder.faulty {
             return Err(Failure::Faults(Some("there is no sign to convert".into())));
         }
@@ -153,13 +160,13 @@ impl Convert {
             signs.iter().for_each(|_| progress.step());
             (group, written, done)
         };
+        let mut reasons = Reasons::default();
         parallel::in_order(&pool, groups, work, |(group, written, done)| {
-            for Refused { sign, reasons } in &written.refused {
-                progress.say(&format!("chereme: {}: {}\n", group.signs[*sign].name, reasons.join("; ")));
+            for one in &written.refused {
+                reasons.tell("chereme", &group.signs[one.sign].name, one, &progress);
             }
-            let told = written.nearly.iter().filter(|_| loudness == Loudness::Told);
-            for Refused { sign, reasons } in told {
-                progress.say(&format!("warning: {}: {}\n", group.signs[*sign].name, reasons.join("; ")));
+            for one in written.nearly.iter().filter(|_| loudness == Loudness::Told) {
+                reasons.tell("warning", &group.signs[one.sign].name, one, &progress);
             }
             unsaid += written.refused.len();
             match done {
@@ -170,10 +177,39 @@ impl Convert {
                 Err(failure) => failed = failed.take().or(Some(failure)),
             }
         });
+        reasons.finish(&progress);
         drop(progress);
         match failed {
             Some(failure) => Err(failure),
             None => Ok((converted, files, unsaid)),
+        }
+    }
+}
+
+/// What was told of how many signs, so that the same is not told of hundreds.
+#[derive(Default)]
+struct Reasons(BTreeMap<String, usize>);
+
+impl Reasons {
+    /// Of so many signs a reason is told.
+    const TOLD: usize = 8;
+
+    fn tell(&mut self, what: &str, name: &str, one: &Refused, progress: &Progress) {
+        let reason = one.reasons.join("; ");
+        let line = format!("{what}: {name}: {reason}\n");
+        let count = self.0.entry(reason).or_default();
+        *count += 1;
+        if *count <= Self::TOLD {
+            progress.say(&line);
+        }
+    }
+
+    fn finish(&self, progress: &Progress) {
+        for (reason, count) in self.0.iter().filter(|(_, count)| **count > Self::TOLD) {
+            progress.say(&format!("and {} more: {reason}\n", count - Self::TOLD));
+        }
+        if self.0.keys().any(|reason| reason.contains("non-manual")) {
+            progress.say("help: --manual writes the hands alone\n");
         }
     }
 }
