@@ -5,6 +5,9 @@ usage: tools/compare_reference.py FOLDER_OF_BVH [SHARED]
 
 FOLDER_OF_BVH: `chereme render SHARED/data/lexica/ngt --each -o 'FOLDER/{stem}.bvh' --fps 30`. SHARED is ../shared where it is not said.
 
+Measured are the hands that the description speaks of. SHARED/tools/compare_motion.py also counts a hand that moves in the reference
+while nothing is said of it: it rests elsewhere there (at the waist; ours hangs), and goes along when the trunk leans.
+
 Besides what SHARED/tools/compare_motion.py measures (wrists; fingertips by a hand of 1.95 times its palm), it measures
   place at the palm: the middle between wrist and middle knuckle, which is where the description puts an open hand;
   shape by own length: each hand's fingertips by the length of that hand, wrist to middle fingertip when it is stretched.
@@ -26,6 +29,15 @@ def stretched(points):
     tips = np.linalg.norm(points[..., 7, :] - points[..., 1, :], axis=-1)
     palms = np.linalg.norm(points[..., 3, :] - points[..., 1, :], axis=-1)
     return np.percentile(tips / np.maximum(palms, 1e-9), 98)
+
+
+def described(lexicon):
+    """The hands that a sign speaks of: 0 is the strong one, 1 the weak one."""
+    both = False
+    for manual in lexicon.iter("sign_manual"):
+        splits = [e for e in manual.iter() if e.tag.startswith("split_") or e.tag == "handconstellation"]
+        both = both or manual.get("both_hands") == "true" or manual.get("nondominant") == "true" or bool(splits)
+    return (0, 1) if both else (0,)
 
 
 def main():
@@ -59,7 +71,7 @@ def main():
         at = {e.get(a) for e in lexicon.iter("location_bodyarm") for a in ("location", "second_location")}
         wrist, finger, palm, tips = tool.compare(there, here)[:4]
         moved = [np.linalg.norm(there[:, h, 1] - there[0, h, 1], axis=-1).max() for h in (0, 1)]
-        hands = [h for h in (0, 1) if moved[h] > 0.08] or [0]
+        hands = [h for h in described(lexicon) if moved[h] > 0.08] or [0]
         there = there[tool.stroke_start(there, hands) :]
 
         def feature(p):
@@ -71,27 +83,29 @@ def main():
 
         a, b = tool.warp(feature(there), feature(here))
         middle = lambda p: (p[:, 1] + p[:, 3]) / 2
+        of_wrist = np.concatenate([np.linalg.norm(there[a, h, 1] - here[b, h, 1], axis=-1) * 55 for h in hands])
         of_palm = np.concatenate(
             [np.linalg.norm(middle(there[a, h]) - middle(here[b, h]), axis=-1) * 55 for h in hands]
         )
         own = [shape(there[a, h], h, lengths[0]) - shape(here[b, h], h, lengths[1]) for h in hands]
         own = np.concatenate([np.linalg.norm(d, axis=-1).mean(-1) * 100 for d in own])
-        rows.append((bool(at & HEAD), wrist, np.median(of_palm), finger, palm, tips, np.median(own)))
+        rows.append((bool(at & HEAD), wrist, np.median(of_wrist), np.median(of_palm), finger, palm, tips, np.median(own)))
     rows = np.array(rows, float)
     head = rows[:, 0] > 0
     for label, column, unit, limits in (
-        ("place of the wrist", 1, "cm", (5, 7)),
-        ("place of the palm", 2, "cm", (5, 7)),
+        ("wrist, as the tool", 1, "cm", (5, 7)),
+        ("wrist, hands said", 2, "cm", (5, 7)),
+        ("palm, hands said", 3, "cm", (5, 7)),
     ):
         for where, which in (("away from the head", ~head), ("at the head", head)):
             v = rows[which, column]
             within = ", ".join(f"{100 * (v <= l).mean():.1f} % within {l} {unit}" for l in limits)
             print(f"{label:20} {where:20} {len(v):5} signs  median {np.median(v):4.1f} {unit}  {within}")
     for label, column, unit, limit in (
-        ("finger direction", 3, "°", 15),
-        ("palm direction", 4, "°", 15),
-        ("shape, 1.95 palms", 5, "%", 10),
-        ("shape, own length", 6, "%", 10),
+        ("finger direction", 4, "°", 15),
+        ("palm direction", 5, "°", 15),
+        ("shape, 1.95 palms", 6, "%", 10),
+        ("shape, own length", 7, "%", 10),
     ):
         v = rows[:, column]
         print(f"{label:41} {len(v):5} signs  median {np.median(v):4.1f} {unit}   {100 * (v <= limit).mean():.1f} % within {limit} {unit}")

@@ -52,6 +52,9 @@ struct Before {
     apart: f64,
 }
 
+/// How much farther before the body two hands meet than one hand is, arm lengths (docs/reference.md).
+const MEETING_OUT_ARMS: f64 = 0.016;
+
 /// Where a hand is that is somewhere before a region; `None` where its distance is from the skin.
 fn before_the_body(distance: Distance) -> Option<Before> {
     match distance {
@@ -158,7 +161,8 @@ impl Planner<'_> {
                 None if both => side.sign() * space.apart,
                 None => side.sign() * ONE_HAND_ARMS,
             };
-            let out = if placement.behind { -space.out } else { space.out };
+            let out = space.out + if meeting { MEETING_OUT_ARMS } else { 0.0 };
+            let out = if placement.behind { -out } else { out };
             return Ok(Anchor::over(&landmarks.before(DVec3::new(across, height, out)), 0.0));
         }
         // Two hands before the body are a little narrower than the shoulders; on it, each is on its own side.

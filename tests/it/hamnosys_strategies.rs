@@ -91,7 +91,17 @@ fn bend() -> impl Strategy<Value = Bend> + Clone {
 fn class() -> impl Strategy<Value = BentClass> + Clone {
     use ShapeClass::*;
     let classes = vec![
-        Fist, Flat, Finger2, Finger23, Finger23Spread, Finger2345, Pinch12, PinchAll, Pinch12Open, Cee12, CeeAll,
+        Fist,
+        Flat,
+        Finger2,
+        Finger23,
+        Finger23Spread,
+        Finger2345,
+        Pinch12,
+        PinchAll,
+        Pinch12Open,
+        Cee12,
+        CeeAll,
         Cee12Open,
     ];
     (select(classes), of(select(vec![Thumb::Out, Thumb::Across, Thumb::Open])), of(bend()))
@@ -160,9 +170,31 @@ fn face() -> impl Strategy<Value = Option<Face>> + Clone {
 
 /// Places of head, trunk and arms.
 const BODY: [&str; 25] = [
-    "head", "headtop", "forehead", "eyebrows", "eyes", "nose", "nostrils", "ear", "earlobe", "cheek", "lips",
-    "tongue", "teeth", "chin", "underchin", "neck", "shouldertop", "shoulders", "chest", "stomach", "belowstomach",
-    "upperarm", "elbow", "elbowinside", "lowerarm",
+    "head",
+    "headtop",
+    "forehead",
+    "eyebrows",
+    "eyes",
+    "nose",
+    "nostrils",
+    "ear",
+    "earlobe",
+    "cheek",
+    "lips",
+    "tongue",
+    "teeth",
+    "chin",
+    "underchin",
+    "neck",
+    "shouldertop",
+    "shoulders",
+    "chest",
+    "stomach",
+    "belowstomach",
+    "upperarm",
+    "elbow",
+    "elbowinside",
+    "lowerarm",
 ];
 
 /// A place of body or arm.
@@ -251,7 +283,9 @@ fn is_point(site: &Site) -> bool {
 fn location(handed: Handed) -> BoxedStrategy<Location> {
     let split = (weighted(0.8, site()), weighted(0.8, site()))
         .prop_filter("a place", |(a, b)| a.is_some() || b.is_some())
-        .prop_filter("no constellation", |(a, b)| !(a.as_ref().is_some_and(is_point) && b.as_ref().is_some_and(is_point)))
+        .prop_filter("no constellation", |(a, b)| {
+            !(a.as_ref().is_some_and(is_point) && b.as_ref().is_some_and(is_point))
+        })
         .prop_map(|(a, b)| Location::Split(a, b));
     let pointed = ((hand_levels(), hand_levels()), of(contact()), of(body_site()))
         .prop_map(|(points, contact, at)| Constellation { points: Some(points), contact, at });
@@ -300,9 +334,8 @@ fn straight() -> impl Strategy<Value = Straight> {
 
 fn circle() -> impl Strategy<Value = Circle> {
     let clock = || of((0u8..8).prop_map(|eighths| Clock::new(eighths).unwrap()));
-    let ends = (clock(), of(times()), clock()).prop_filter("an end alone", |(start, full, end)| {
-        start.is_some() || full.is_some() || end.is_none()
-    });
+    let ends = (clock(), of(times()), clock())
+        .prop_filter("an end alone", |(start, full, end)| start.is_some() || full.is_some() || end.is_none());
     (direction(), size(), weighted(0.2, direction()), ends, of((ellipse(), size())), waves(), growth()).prop_map(
         |(axis, size, between, (start, full, end), ellipse, waves, growth)| Circle {
             axis,
@@ -359,9 +392,8 @@ fn repetition() -> impl Strategy<Value = Repetition> {
     use RepetitionKind::*;
     let kind = || select(vec![FromStart, FromStartSeveral, Continue, ContinueSeveral, Reverse]);
     let shift = (direction(), size(), growth()).prop_map(|(direction, size, growth)| Shift { direction, size, growth });
-    (kind(), weighted(0.2, kind()), any::<bool>(), growth(), weighted(0.2, shift)).prop_map(
-        |(kind, second, approximate, growth, shift)| Repetition { kind, second, approximate, growth, shift },
-    )
+    (kind(), weighted(0.2, kind()), any::<bool>(), growth(), weighted(0.2, shift))
+        .prop_map(|(kind, second, approximate, growth, shift)| Repetition { kind, second, approximate, growth, shift })
 }
 
 fn of_body(action: BoxedStrategy<Action>) -> impl Strategy<Value = Action> {
@@ -380,7 +412,7 @@ fn actions(handed: Handed, depth: u32) -> BoxedStrategy<Action> {
             weighted(0.8, boxed()).prop_map(move |side| side.filter(|action| **action != nothing))
         };
         prop_oneof![
-            3 => (boxed(), location(handed)).prop_map(|(action, place)| Action::Target(action, place)),
+            3 => (boxed(), location(handed)).prop_map(|(action, place)| Action::Target(action, Box::new(place))),
             2 => some().prop_map(Action::Together),
             2 => some().prop_map(Action::Sequence),
             1 => some().prop_map(Action::Fused),

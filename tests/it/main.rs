@@ -23,6 +23,7 @@ mod format_svg;
 mod golden;
 mod hamnosys_meaning;
 mod hamnosys_parse;
+mod hamnosys_strategies;
 mod hamnosys_table;
 mod layers;
 mod lexicon_alphabets;
