@@ -211,9 +211,9 @@ fn hands_keep_out_of_the_body() {
     let through = sign("sign X\n  configuration flat\n  placement chest, touch\n  movement hold\n");
     let found = world.changed(&through, |_, frame| {
         let arm = world.signer.arm(chereme::phonology::Side::Right);
-        // The arm across the body, through it.
-        frame.pose.set(arm.upper, DQuat::from_rotation_y(-1.2) * DQuat::from_rotation_z(1.0));
-        frame.pose.set(arm.fore, DQuat::from_rotation_y(-1.9));
+        // From before the chest about the shoulder, into it.
+        let into = DQuat::from_rotation_y(0.8) * frame.pose.rotation(arm.upper);
+        frame.pose.set(arm.upper, into);
     });
     assert!(kinds(&found).contains(&Kind::InBody), "{found:?}");
 }
