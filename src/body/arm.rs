@@ -68,6 +68,11 @@ impl ArmRig {
         self.upper_m + self.fore_m
     }
 
+    /// Clavicle, upper arm, forearm and hand.
+    pub fn joints(&self) -> [JointId; 4] {
+        [self.clavicle, self.upper, self.fore, self.hand]
+    }
+
     /// Where the stretched fingers point at rest.
     pub fn rest_fingers(&self) -> DVec3 {
         DVec3::X * self.side.sign()

@@ -3,6 +3,7 @@
 use super::arm::ArmRig;
 use super::hand::HandRig;
 use super::landmarks::{ContactPoint, Landmarks};
+use super::solid::Solid;
 use crate::diagnostics::Error;
 use crate::motion::arm::orient;
 use crate::motion::pose::{LocalPose, ModelPose};
@@ -21,6 +22,8 @@ pub struct Signer {
     pub morphs: Arc<Vec<String>>,
     /// Named places on the skin.
     pub landmarks: Landmarks,
+    /// The room that trunk and head take up.
+    pub solid: Solid,
     arms: [ArmRig; 2],
     hands: [HandRig; 2],
     spine: Vec<JointId>,
@@ -80,14 +83,15 @@ impl Signer {
     /// Finds the parts of a body.
     ///
     /// # Errors
-    /// Names the joint that the rig lacks. Eyes may be missing.
+    /// Names the joint that the rig lacks, or the landmark. Eyes may be missing.
     pub fn new(skeleton: Arc<Skeleton>, morphs: Vec<String>, landmarks: Landmarks) -> Result<Signer, Error> {
         let arms = [ArmRig::new(&skeleton, Side::Left)?, ArmRig::new(&skeleton, Side::Right)?];
         let hands = [HandRig::new(&skeleton, Side::Left)?, HandRig::new(&skeleton, Side::Right)?];
         let spine = ["Spine", "Spine1", "Spine2"].iter().map(|n| skeleton.joint(n)).collect::<Result<_, _>>()?;
         let (neck, head) = (skeleton.joint("Neck")?, skeleton.joint("Head")?);
         let eyes = [skeleton.find("LeftEye"), skeleton.find("RightEye")];
-        Ok(Signer { skeleton, morphs: Arc::new(morphs), landmarks, arms, hands, spine, neck, head, eyes })
+        let solid = Solid::new(&skeleton, &landmarks)?;
+        Ok(Signer { skeleton, morphs: Arc::new(morphs), landmarks, solid, arms, hands, spine, neck, head, eyes })
     }
 
     /// An arm.

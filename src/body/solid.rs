@@ -9,7 +9,7 @@
 
 use super::landmarks::{Landmark, Landmarks};
 use crate::diagnostics::Error;
-use crate::motion::pose::ModelPose;
+use crate::motion::pose::{LocalPose, ModelPose};
 use crate::motion::skeleton::{JointId, Skeleton};
 use crate::phonology::{Lateral, Side};
 use glam::{DQuat, DVec3};
@@ -23,12 +23,17 @@ const BELOW_CHIN: f64 = 0.035;
 /// What lies deeper than this behind the front is behind the body, metres.
 const THICK: f64 = 0.15;
 
+/// No joint or tip of a hand is farther from its wrist, metres.
+pub const HAND_M: f64 = 0.24;
+
 /// The room that a body takes up.
 #[derive(Debug, Clone)]
 pub struct Solid {
     trunk: Carried,
     /// Rows from below: the height, and how far from the middle the surface is how far forward.
     front: Vec<(f64, [(f64, f64); 4])>,
+    /// Nothing of the front lies farther to a side or forward.
+    outermost: (f64, f64),
     head: Carried,
     centre: DVec3,
     radii: DVec3,
@@ -61,14 +66,15 @@ impl Carried {
 }
 
 impl Solid {
-    /// The room that a body takes up that stands as the pose says.
+    /// The room that a body takes up, measured as the skeleton rests.
     ///
     /// # Errors
     /// Names the joint or the landmark that is missing.
-    pub fn new(skeleton: &Skeleton, landmarks: &Landmarks, standing: &ModelPose) -> Result<Solid, Error> {
+    pub fn new(skeleton: &Skeleton, landmarks: &Landmarks) -> Result<Solid, Error> {
+        let rest = LocalPose::rest(skeleton).to_model(skeleton);
         let place = |id: &str, beside: Option<bool>| {
             let lateral = beside.map(|beside| Lateral { side: Side::Left, beside });
-            landmarks.body_place(id, lateral).map(|landmark| landmark.position(standing))
+            landmarks.body_place(id, lateral).map(|landmark| landmark.position(&rest))
         };
         let row = |id: &&str| {
             let (middle, at, beside) = (place(id, None)?, place(id, Some(false))?, place(id, Some(true))?);
@@ -77,32 +83,30 @@ impl Solid {
         };
         let mut front = FRONT.iter().map(row).collect::<Result<Vec<_>, Error>>()?;
         front.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let points = || front.iter().flat_map(|(_, row)| row);
+        let outermost = (points().map(|p| p.0).fold(0.0, f64::max), points().map(|p| p.1).fold(0.0, f64::max));
         let (top, chin, face) = (place("headtop", None)?, place("chin", None)?, place("forehead", None)?);
         let side = place("ear", Some(false))?;
         let centre = DVec3::new(0.0, (top.y + chin.y - BELOW_CHIN) / 2.0, side.z);
         // Nose and mouth stand out of it, and what touches them with them.
         let radii = DVec3::new(side.x, top.y - centre.y, face.z - centre.z).max(DVec3::splat(0.01));
-        let trunk = Carried::new(skeleton.joint("Spine2")?, standing);
-        let head = Carried::new(skeleton.joint("Head")?, standing);
-        let laterals = [None, Some(false), Some(true)]
-            .into_iter()
-            .flat_map(|beside| [Side::Left, Side::Right].map(|side| beside.map(|beside| Lateral { side, beside })));
+        let trunk = Carried::new(skeleton.joint("Spine2")?, &rest);
+        let head = Carried::new(skeleton.joint("Head")?, &rest);
+        let sides = [Side::Left, Side::Right].into_iter();
+        let sides = sides.flat_map(|side| [false, true].map(|beside| Some(Lateral { side, beside })));
+        let laterals: Vec<Option<Lateral>> = std::iter::once(None).chain(sides).collect();
         let marks =
-            landmarks.body_ids().flat_map(|id| laterals.clone().filter_map(|at| landmarks.body_place(id, at).ok()));
+            landmarks.body_ids().flat_map(|id| laterals.iter().filter_map(|at| landmarks.body_place(id, *at).ok()));
         let marks = marks.collect();
-        Ok(Solid { trunk, front, head, centre, radii, marks })
+        Ok(Solid { trunk, front, outermost, head, centre, radii, marks })
     }
 
     /// Whether the body is farther than a distance from a point, in a pose; a body nearer than that may be farther all the same.
     pub fn is_beyond(&self, distance_m: f64, point: DVec3, model: &ModelPose) -> bool {
         let by_trunk = self.trunk.back(point, model);
-        let (low, high) = match (self.front.first(), self.front.last()) {
-            (Some(low), Some(high)) => (low.0, high.0),
-            _ => return true,
-        };
-        let row = |of: fn(&(f64, f64)) -> f64| self.front.iter().flat_map(|(_, row)| row).map(of).fold(0.0, f64::max);
-        let of_trunk = (by_trunk.z - row(|p| p.1))
-            .max(by_trunk.x.abs() - row(|p| p.0))
+        let (Some((low, _)), Some((high, _))) = (self.front.first(), self.front.last()) else { return true };
+        let of_trunk = (by_trunk.z - self.outermost.1)
+            .max(by_trunk.x.abs() - self.outermost.0)
             .max(low - by_trunk.y)
             .max(by_trunk.y - high);
         let of_head = self.head.back(point, model).distance(self.centre) - self.radii.max_element();

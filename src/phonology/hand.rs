@@ -257,6 +257,18 @@ struct Spot {
 }
 
 impl HandPoint {
+    /// The palm.
+    pub const PALM: HandPoint = HandPoint::of_limb(HandPart::Palm);
+    /// The back of the hand.
+    pub const BACK: HandPoint = HandPoint::of_limb(HandPart::Back);
+    /// The wrist.
+    pub const WRIST: HandPoint = HandPoint::of_limb(HandPart::Wrist);
+
+    /// A part that no digit has.
+    const fn of_limb(part: HandPart) -> HandPoint {
+        HandPoint { first: Spot { digits: Digits::NONE, part, flank: None }, second: None }
+    }
+
     /// A point; `None` where a part of a digit has no digit, or a part of the limb has one, and for a face of the
     /// wrist joint.
     pub fn new(digits: Digits, part: HandPart, flank: Option<Flank>) -> Option<HandPoint> {

@@ -14,7 +14,7 @@ use super::walk::Walk;
 use crate::body::landmarks::ContactPoint;
 use crate::diagnostics::Error;
 use crate::phonology::symmetry::points;
-use crate::phonology::{Contact, ContactKind, Digit, Hand, HandPart, HandPoint, Hands, Side};
+use crate::phonology::{Contact, ContactKind, Digit, Hand, HandPoint, Hands, Side};
 use glam::DVec3;
 
 /// Points that are `close` to each other on two hands, arm lengths apart.
@@ -171,22 +171,15 @@ impl Planner<'_> {
         let side = side_of(part.hand);
         let (own, _) = points(contact, part.hand);
         let landmarks = &self.signer.landmarks;
-        let part_of = |part| HandPoint::new(Default::default(), part, None);
         let point = match (own, contact.kind) {
             (Some(point), _) => landmarks.hand_point(side, point)?,
             (None, ContactKind::Interlocked) => self.webs(side),
             (None, ContactKind::Crossed) => {
                 // The strong hand lies on the weak one.
-                let lies = if part.hand == Hand::Strong { HandPart::Palm } else { HandPart::Back };
-                match part_of(lies) {
-                    Some(point) => landmarks.hand_point(side, point)?,
-                    None => self.webs(side),
-                }
+                let lies = if part.hand == Hand::Strong { HandPoint::PALM } else { HandPoint::BACK };
+                landmarks.hand_point(side, lies)?
             }
-            (None, ContactKind::Close) => match part_of(HandPart::Palm) {
-                Some(point) => landmarks.hand_point(side, point)?,
-                None => self.webs(side),
-            },
+            (None, ContactKind::Close) => landmarks.hand_point(side, HandPoint::PALM)?,
             (None, ContactKind::Touch | ContactKind::Metres(_)) => {
                 let point = self.open_point(part.sign, part.hand, key)?;
                 landmarks.hand_point(side, point)?

@@ -345,7 +345,7 @@ fn write_ways(stage: &Stage, plan: &Plan, schedule: &Schedule, stints: &[(Stint,
     stage.write_retraction(last, end, poses);
 }
 
-/// How fast the wrists are in each stroke and on each way.
+/// How fast the arms are in each stroke and on each way.
 fn speeds(stage: &Stage, items: usize, stints: &[Vec<(Stint, &HandPlan)>; 2], poses: &[LocalPose]) -> Speeds {
     let fps = stage.options.fps.get();
     let mut speeds = Speeds {
@@ -359,8 +359,8 @@ fn speeds(stage: &Stage, items: usize, stints: &[Vec<(Stint, &HandPlan)>; 2], po
         let arm = stage.signer.arm(first.side);
         let mut at = 0;
         for (i, pair) in places.windows(2).enumerate() {
-            let turned = [arm.clavicle, arm.upper, arm.fore, arm.hand]
-                .map(|joint| angle_between(poses[i].rotation(joint), poses[i + 1].rotation(joint)));
+            let turned =
+                arm.joints().map(|joint| angle_between(poses[i].rotation(joint), poses[i + 1].rotation(joint)));
             let speed =
                 Speed { wrist: pair[0].distance(pair[1]) * fps, turn: turned.into_iter().fold(0.0, f64::max) * fps };
             while own.get(at).is_some_and(|(s, _)| i >= s.last) {

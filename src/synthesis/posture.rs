@@ -11,9 +11,7 @@ use crate::motion::easing::slerp;
 use crate::motion::pose::LocalPose;
 use crate::motion::rotation::{angle_between, to_vector};
 use crate::phonology::symmetry::Resolved;
-use crate::phonology::{
-    Configuration, Distance, Hand, HandPart, HandPoint, Heading, Orientation, Place, Placement, Side, Sign,
-};
+use crate::phonology::{Configuration, Distance, Hand, HandPoint, Heading, Orientation, Place, Placement, Side, Sign};
 use glam::{DQuat, DVec3};
 
 /// From this angle on, both ways about are looked at: 140°.
@@ -95,7 +93,7 @@ impl Planner<'_> {
             let target = Asker { meeting: Meeting::Meets, ..asker }.position(self, &target, known)?;
             let palm = said.orientation.at(key).and_then(|o| o.palm).map(|h| h.vector());
             let aim = self.aim(side, &self.shaped(side, &part.configuration(key), sign)?, target, palm);
-            site.with = Some(self.wrist(side)?);
+            site.with = Some(self.signer.landmarks.hand_point(side, HandPoint::WRIST)?);
             site.anchor = Some(Anchor::Fixed(aim.wrist));
             site.turned = Some(aim.rotation);
             return Ok(site);
@@ -105,9 +103,12 @@ impl Planner<'_> {
         site.with = Some(match placement.with {
             Some(point) => self.signer.landmarks.hand_point(side, point)?,
             None => {
-                let own =
-                    self.own_point(&part.configuration(key), sign, side, Touching::of(self.touches(placement)))?;
-                if self.turns_away(&own, part, key, placement)? { self.wrist(side)? } else { own }
+                let touching = Touching::of(self.touches(placement));
+                let own = self.own_point(&part.configuration(key), sign, side, touching)?;
+                match self.turns_away(&own, part, key, placement)? {
+                    true => self.signer.landmarks.hand_point(side, HandPoint::WRIST)?,
+                    false => own,
+                }
             }
         });
         Ok(site)
@@ -125,13 +126,6 @@ impl Planner<'_> {
         let Some(rotation) = said.and_then(rotation) else { return Ok(false) };
         let shaped = self.shaped(side, &part.configuration(key), part.sign)?;
         Ok((rotation * self.signer.in_hand(side, own, &shaped)).dot(outward) > WRIST_INSIDE_M)
-    }
-
-    /// The wrist as the point that is placed.
-    fn wrist(&self, side: Side) -> Result<ContactPoint, Error> {
-        let wrist = HandPoint::new(Default::default(), HandPart::Wrist, None);
-        let wrist = wrist.ok_or_else(|| Error::new("a wrist has no digits"))?;
-        self.signer.landmarks.hand_point(side, wrist)
     }
 
     /// The hand of a side with the fingers of a configuration, everything else at rest.
@@ -214,10 +208,9 @@ impl Planner<'_> {
         touching: Touching,
     ) -> Result<ContactPoint, Error> {
         let point = match touching {
-            Touching::Skin => Some(self.grammar.touches_with(shape, sign)?),
-            Touching::Nothing => HandPoint::new(Default::default(), HandPart::Palm, None),
+            Touching::Skin => self.grammar.touches_with(shape, sign)?,
+            Touching::Nothing => HandPoint::PALM,
         };
-        let point = point.ok_or_else(|| Error::new("a palm has no digits"))?;
         self.signer.landmarks.hand_point(side, point)
     }
 }

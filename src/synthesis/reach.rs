@@ -12,6 +12,7 @@ use crate::motion::arm::{ArmAngles, ArmHint, ArmPose, orient};
 use crate::motion::easing::{slerp, smoothstep};
 use crate::motion::fabrik::{Options as FabrikOptions, Pole};
 use crate::motion::reach::reach;
+use crate::motion::rotation::angle_between;
 use crate::motion::two_bone;
 use crate::phonology::Direction;
 use glam::{DQuat, DVec3};
@@ -31,6 +32,8 @@ pub struct HandTarget {
     pub trunk: DQuat,
     /// How the description moves the shoulder.
     pub raised: Shoulder,
+    /// How far the contact point was moved so that the hand stays out of the body, metres.
+    pub aside_m: f64,
 }
 
 /// An arm at one frame.
@@ -48,7 +51,7 @@ pub struct ArmFrame {
     pub wrist: DVec3,
     /// From the contact point to its target, metres.
     pub residual_m: f64,
-    /// How far the target was moved beforehand so that the hand stays out of the body, metres.
+    /// How far the contact point was moved beforehand so that the hand stays out of the body, metres.
     pub aside_m: f64,
     /// How far the hand is turned away from the rotation asked for, radians.
     pub tilt: f64,
@@ -271,8 +274,8 @@ impl Chain<'_> {
         if self.options.free_hand {
             // The hand in line with the forearm, and the forearm where that hand needs it: they settle together.
             for _ in 0..12 {
-                let along = frame.parent * frame.arm.upper * frame.arm.fore;
-                let turned = crate::motion::rotation::angle_between(along, rotation);
+                let along = frame.fore();
+                let turned = angle_between(along, rotation);
                 rotation = along.normalize();
                 frame = self.place(target, rotation, swivel, hint);
                 if turned < 1e-4 {
@@ -282,10 +285,14 @@ impl Chain<'_> {
         }
         let wanted = frame.arm.angles;
         if let Some(limits) = self.options.limits {
+            let clamped = |fore: DQuat, angles: &ArmAngles| {
+                let (twist, flexion, radial) = limits.clamp(angles);
+                (fore * self.arm.rest.hand(twist, flexion, radial)).normalize()
+            };
             // The hand is turned back within the wrist's limits about the contact point, and the forearm goes where that hand
             // needs it: they settle together. It is turned back from what is asked for every time, or it would drift.
             for round in 0..LIMIT_ROUNDS {
-                let fore = frame.parent * frame.arm.upper * frame.arm.fore;
+                let fore = frame.fore();
                 let asked = match self.options.free_hand {
                     true => frame.arm.angles,
                     false => self.arm.rest.angles(fore.conjugate() * target.rotation),
@@ -293,9 +300,8 @@ impl Chain<'_> {
                 if limits.excess(&frame.arm.angles) < 1e-10 && limits.excess(&asked) < 1e-10 {
                     break;
                 }
-                let (twist, flexion, radial) = limits.clamp(&asked);
-                let within = (fore * self.arm.rest.hand(twist, flexion, radial)).normalize();
-                let turned = crate::motion::rotation::angle_between(within, rotation);
+                let within = clamped(fore, &asked);
+                let turned = angle_between(within, rotation);
                 // A hand that swings to and fro between two turns meets in the middle.
                 rotation = if round < LIMIT_ROUNDS / 3 { within } else { slerp(rotation, within, 0.5) };
                 frame = self.place(target, rotation, swivel, hint);
@@ -305,9 +311,7 @@ impl Chain<'_> {
             }
             if limits.excess(&frame.arm.angles) >= 1e-10 {
                 // Where they do not settle the limits win, and the contact point is missed by what is left.
-                let (twist, flexion, radial) = limits.clamp(&frame.arm.angles);
-                let fore = frame.parent * frame.arm.upper * frame.arm.fore;
-                rotation = (fore * self.arm.rest.hand(twist, flexion, radial)).normalize();
+                rotation = clamped(frame.fore(), &frame.arm.angles);
                 let bones = [frame.shoulder, frame.elbow, frame.wrist];
                 frame.arm = orient(&self.arm.rest, frame.parent, bones, rotation, hint);
             }
@@ -320,10 +324,10 @@ impl Chain<'_> {
             elbow: frame.elbow,
             wrist: frame.wrist,
             residual_m: reached.distance(target.point),
-            aside_m: 0.0,
+            aside_m: target.aside_m,
             tilt: match self.options.free_hand {
                 true => 0.0,
-                false => crate::motion::rotation::angle_between(rotation, target.rotation),
+                false => angle_between(rotation, target.rotation),
             },
             wanted,
         }
@@ -356,6 +360,13 @@ struct Placed {
     shoulder: DVec3,
     elbow: DVec3,
     wrist: DVec3,
+}
+
+impl Placed {
+    /// The forearm's rotation, model space.
+    fn fore(&self) -> DQuat {
+        self.parent * self.arm.upper * self.arm.fore
+    }
 }
 
 fn swivel_of(candidate: usize) -> f64 {

@@ -55,9 +55,7 @@ pub(super) fn write_wrist(arm: &ArmRig, from: &ArmAngles, to: &ArmAngles, weight
 
 /// The frames between which the arm goes over: from, to.
 fn spans(arm: &ArmRig, fps: f64, solved: &[ArmFrame], poses: &[LocalPose]) -> Vec<(usize, usize)> {
-    let turned = |a: usize, b: usize| {
-        [arm.clavicle, arm.upper, arm.fore, arm.hand].map(|j| angle_between(poses[a].rotation(j), poses[b].rotation(j)))
-    };
+    let turned = |a: usize, b: usize| arm.joints().map(|j| angle_between(poses[a].rotation(j), poses[b].rotation(j)));
     let moved = |a: usize, b: usize| solved[a].wrist.distance(solved[b].wrist);
     let steps: Vec<f64> = (1..poses.len()).map(|i| moved(i - 1, i) * fps).collect();
     let turns: Vec<f64> = (1..poses.len()).map(|i| turned(i - 1, i).into_iter().fold(0.0, f64::max) * fps).collect();

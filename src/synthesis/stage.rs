@@ -3,7 +3,6 @@
 use super::plan::Planner;
 use super::{Grammar, Options};
 use crate::body::signer::Signer;
-use crate::body::solid::Solid;
 use crate::diagnostics::Error;
 use crate::motion::pose::{LocalPose, ModelPose};
 use crate::phonology::handshape::HandAngles;
@@ -19,8 +18,6 @@ pub(super) struct Stage<'a> {
     pub neutral: LocalPose,
     /// The same in model space.
     pub neutral_model: ModelPose,
-    /// The room that the body takes up.
-    pub solid: Solid,
 }
 
 /// The joints of one arm and hand at one frame.
@@ -40,8 +37,7 @@ impl<'a> Stage<'a> {
         let relaxed = rest.map_err(|e| Error::new(e.to_string()))?;
         let neutral = signer.neutral(&relaxed);
         let neutral_model = neutral.to_model(&signer.skeleton);
-        let solid = Solid::new(&signer.skeleton, &signer.landmarks, &neutral_model)?;
-        Ok(Stage { grammar, signer, options, neutral, neutral_model, solid })
+        Ok(Stage { grammar, signer, options, neutral, neutral_model })
     }
 
     pub fn planner(&self) -> Planner<'_> {
@@ -52,7 +48,7 @@ impl<'a> Stage<'a> {
     pub fn posture(&self, side: Side, pose: &LocalPose) -> Posture {
         let arm = self.signer.arm(side);
         Posture {
-            arm: [arm.clavicle, arm.upper, arm.fore, arm.hand].map(|j| pose.rotation(j)),
+            arm: arm.joints().map(|j| pose.rotation(j)),
             fingers: self.signer.hand(side).joints().map(|j| pose.rotation(j)),
         }
     }

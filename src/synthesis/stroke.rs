@@ -79,7 +79,7 @@ impl Stage<'_> {
             if let Some(path) = &plan.wrist_path {
                 let share = if natural > 0.0 { own_time(stint.first + n) / natural } else { 0.0 };
                 let (point, rotation) = path.at(share);
-                return HandTarget { point, rotation, offset: DVec3::ZERO, clavicle, trunk, raised };
+                return HandTarget { point, rotation, offset: DVec3::ZERO, clavicle, trunk, raised, aside_m: 0.0 };
             }
             let rotation = now.rotation(plan, model);
             let offset = self.offset(plan, now, &poses[stint.first + n]);
@@ -93,12 +93,12 @@ impl Stage<'_> {
                 clavicle,
                 trunk,
                 raised,
+                aside_m: 0.0,
             }
         };
         let mut targets: Vec<HandTarget> = instants.iter().enumerate().map(target).collect();
-        let mut aside = Vec::new();
         if !self.options.paper && plan.wrist_path.is_none() && !plan.on_other_hand {
-            aside = self.keep_clear(plan.side, &models, &poses[frames.clone()], &mut targets);
+            self.keep_clear(plan.side, &models, &poses[frames.clone()], &mut targets);
         }
         let options = ReachOptions {
             limits: super::limits(self.options),
@@ -137,9 +137,6 @@ impl Stage<'_> {
                     .offset(plan, |point: &ContactPoint| turned * (point.position(&model) - model.position(arm.hand)));
                 frame.residual_m = wanted[n].distance(model.point(arm.hand, offset));
             }
-        }
-        for (frame, aside) in solved.iter_mut().zip(aside) {
-            frame.aside_m = aside;
         }
         self.smooth(plan.side, &solved, &mut poses[frames]);
         solved
@@ -180,9 +177,10 @@ impl Stage<'_> {
         for (now, pose) in instants.iter().zip(poses) {
             let change = now.change(plan);
             let order = now.leg(plan).map_or(FingerOrder::Together, |(placed, _)| placed.leg.fingers);
+            let between = order != FingerOrder::Together || (now.done > 0.0 && now.done < 1.0);
             let mut fingers = match now.done {
-                d if order == FingerOrder::Together && d <= 0.0 => shapes[change.from],
-                d if order == FingerOrder::Together && d >= 1.0 => shapes[change.to],
+                d if !between && d <= 0.0 => shapes[change.from],
+                _ if !between => shapes[change.to],
                 d => {
                     let pair = (change.from, change.to);
                     let known = ways.iter().rposition(|(of, _)| *of == pair).unwrap_or_else(|| {
@@ -201,7 +199,8 @@ impl Stage<'_> {
                     }
                 }
             };
-            for (finger, bend) in now.wiggle(plan).into_iter().flatten().enumerate() {
+            let wiggle = now.wiggle(plan);
+            for (finger, bend) in wiggle.into_iter().flatten().enumerate() {
                 // Flexion is about ∓Z.
                 let knuckle = 3 * (finger + 1);
                 let out = -plan.side.sign();
@@ -214,7 +213,9 @@ impl Stage<'_> {
                 pose.set(*joint, rotation);
             }
             // Between two shapes, and while they play, fingers are bent otherwise than in either.
-            hand.limit_spread(pose);
+            if between || wiggle.is_some() {
+                hand.limit_spread(pose);
+            }
         }
     }
 }

@@ -94,7 +94,7 @@ impl Stage<'_> {
     fn write_way(&self, way: &Way, poses: &mut [LocalPose]) {
         let (fps, easing) = (self.options.fps.get(), self.options.easing);
         let arm = self.signer.arm(way.side);
-        let arm_joints = [arm.clavicle, arm.upper, arm.fore, arm.hand];
+        let arm_joints = arm.joints();
         let finger_joints = self.signer.hand(way.side).joints();
         let arm_arcs: [ShortArc; 4] = std::array::from_fn(|j| ShortArc::new(way.from.arm[j], way.to.arm[j]));
         let finger_arcs: [ShortArc; 15] =

@@ -1,14 +1,13 @@
 //! The room that the body takes up: landmarks lie on it, what is before them outside, and its way out leads out.
 
 use chereme::body::signer::{Signer, Turn};
-use chereme::body::solid::Solid;
 use chereme::motion::pose::ModelPose;
 use chereme::phonology::{Configuration, HandshapeInventory};
 use glam::DVec3;
 use proptest::prelude::*;
 
 /// The signer at rest, and with head and trunk turned.
-fn bodies() -> (Signer, Solid, [ModelPose; 2]) {
+fn bodies() -> (Signer, [ModelPose; 2]) {
     let signer = chereme::avatar::signer().unwrap();
     let relaxed = HandshapeInventory::builtin().angles(&Configuration::named("rest"), None).unwrap();
     let standing = signer.neutral(&relaxed);
@@ -16,13 +15,13 @@ fn bodies() -> (Signer, Solid, [ModelPose; 2]) {
     signer.turn_torso(Turn { pitch: 0.1, yaw: 0.3, roll: -0.1 }, &mut turned);
     signer.turn_head(Turn { pitch: 0.1, yaw: -0.5, roll: 0.2 }, &mut turned);
     let poses = [standing.to_model(&signer.skeleton), turned.to_model(&signer.skeleton)];
-    let solid = Solid::new(&signer.skeleton, &signer.landmarks, &poses[0]).unwrap();
-    (signer, solid, poses)
+    (signer, poses)
 }
 
 #[test]
 fn landmarks_lie_on_it() {
-    let (signer, solid, poses) = bodies();
+    let (signer, poses) = bodies();
+    let solid = &signer.solid;
     // The coarse surface is off the skin by so much; nose and chin stand out of it.
     let near = |id: &str| if ["nose", "nostrils", "chin"].contains(&id) { 0.045 } else { 0.02 };
     for model in &poses {
@@ -49,7 +48,8 @@ proptest! {
 
     #[test]
     fn the_way_out_leads_out(x in -0.3..0.3f64, y in 0.8..1.8f64, z in -0.2..0.4f64, turned in any::<bool>()) {
-        let (_, solid, poses) = bodies();
+        let (signer, poses) = bodies();
+        let solid = &signer.solid;
         let model = &poses[usize::from(turned)];
         let point = DVec3::new(x, y, z);
         let (deep, out) = solid.depth(point, model);

@@ -89,22 +89,7 @@ fn bend() -> impl Strategy<Value = Bend> + Clone {
 }
 
 fn class() -> impl Strategy<Value = BentClass> + Clone {
-    use ShapeClass::*;
-    let classes = vec![
-        Fist,
-        Flat,
-        Finger2,
-        Finger23,
-        Finger23Spread,
-        Finger2345,
-        Pinch12,
-        PinchAll,
-        Pinch12Open,
-        Cee12,
-        CeeAll,
-        Cee12Open,
-    ];
-    (select(classes), of(select(vec![Thumb::Out, Thumb::Across, Thumb::Open])), of(bend()))
+    (select(ShapeClass::ALL.to_vec()), of(select(vec![Thumb::Out, Thumb::Across, Thumb::Open])), of(bend()))
         .prop_map(|(class, thumb, bend)| BentClass { class, thumb, bend })
 }
 

@@ -121,21 +121,7 @@ fn bend() -> impl Strategy<Value = Bend> {
 }
 
 fn class() -> impl Strategy<Value = BentClass> {
-    use ShapeClass::*;
-    let class = select(vec![
-        Fist,
-        Flat,
-        Finger2,
-        Finger23,
-        Finger23Spread,
-        Finger2345,
-        Pinch12,
-        PinchAll,
-        Pinch12Open,
-        Cee12,
-        CeeAll,
-        Cee12Open,
-    ]);
+    let class = select(ShapeClass::ALL.to_vec());
     let thumb = of(select(vec![Thumb::Out, Thumb::Across, Thumb::Open]));
     (class, thumb, of(bend())).prop_map(|(class, thumb, bend)| BentClass { class, thumb, bend })
 }

@@ -323,6 +323,27 @@ pub enum ShapeClass {
     Cee12Open,
 }
 
+impl ShapeClass {
+    /// All of them.
+    pub const ALL: [ShapeClass; 12] = {
+        use ShapeClass::*;
+        [
+            Fist,
+            Flat,
+            Finger2,
+            Finger23,
+            Finger23Spread,
+            Finger2345,
+            Pinch12,
+            PinchAll,
+            Pinch12Open,
+            Cee12,
+            CeeAll,
+            Cee12Open,
+        ]
+    };
+}
+
 /// Modifiers of the thumb.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Thumb {

@@ -37,20 +37,7 @@ impl<T: Copy> Words<T> {
 
 pub(super) const CLASS: Words<ShapeClass> = Words {
     what: "a hand shape",
-    all: &[
-        ShapeClass::Fist,
-        ShapeClass::Flat,
-        ShapeClass::Finger2,
-        ShapeClass::Finger23,
-        ShapeClass::Finger23Spread,
-        ShapeClass::Finger2345,
-        ShapeClass::Pinch12,
-        ShapeClass::PinchAll,
-        ShapeClass::Pinch12Open,
-        ShapeClass::Cee12,
-        ShapeClass::CeeAll,
-        ShapeClass::Cee12Open,
-    ],
+    all: &ShapeClass::ALL,
     word: |class| match class {
         ShapeClass::Fist => "fist",
         ShapeClass::Flat => "flat",

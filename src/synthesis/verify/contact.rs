@@ -7,13 +7,14 @@ use crate::body::landmarks::ContactPoint;
 use crate::phonology::operator::touches;
 use crate::phonology::symmetry::resolve;
 use crate::phonology::{
-    Configuration, Contact, ContactKind, Distance, Hand, HandPart, HandPoint, Keys, Lateral, Movement, Place,
-    Placement, Side,
+    Configuration, Contact, ContactKind, Distance, Hand, HandPoint, Keys, Lateral, Movement, Place, Placement, Side,
 };
 use glam::DVec3;
 
 /// How far a contact point may be from its place, metres.
 const OFF: f64 = 0.01;
+/// A point of the hand that lies so much farther out than the wrist is no point to touch with, metres.
+const AWAY: f64 = 0.03;
 /// How far a measured distance may differ from what the report admits and still be the same, metres: the instant of a key lies between
 /// two frames.
 const SAME: f64 = 3e-3;
@@ -85,17 +86,28 @@ impl Checking<'_> {
     fn own_points(&self, placement: &Placement, key: &Key) -> Vec<ContactPoint> {
         let shape = &key.said.configuration;
         let mut said = vec![placement.with];
-        if placement.with.is_none() {
-            // A hand whose fingers point away from the skin touches it with its wrist.
-            said.extend(HandPoint::new(Default::default(), HandPart::Wrist, None).map(Some));
+        if placement.with.is_none() && self.points_away(placement, key) {
+            said.push(Some(HandPoint::WRIST));
         }
         if placement.with.is_none() && key.said.placement.stated(key.number).is_none() {
             let before = key.said.placement.at(key.number);
-            let palm = || HandPoint::new(Default::default(), HandPart::Palm, None);
             let in_space = before.is_none_or(|before| !touches(before, &self.grammar.locations));
-            said.push(before.and_then(|before| before.with).or_else(|| palm().filter(|_| in_space)));
+            said.push(before.and_then(|before| before.with).or_else(|| in_space.then_some(HandPoint::PALM)));
         }
         said.into_iter().filter_map(|point| self.point(point, shape, key, key.side)).collect()
+    }
+
+    /// Whether the hand's fingers point away from the skin that it is said to touch: then it touches with its wrist, which lies behind
+    /// what its shape touches with.
+    fn points_away(&self, placement: &Placement, key: &Key) -> bool {
+        let (Place::Body(name), Distance::Touch) = (&placement.place, placement.distance) else { return false };
+        let Some(row) = self.grammar.locations.get(name) else { return false };
+        let lateral = placement.lateral.or(row.paired.then_some(Lateral { side: key.side, beside: false }));
+        let of_hand = |point| self.point(point, &key.said.configuration, key, key.side).map(|p| p.position(&key.body));
+        match (self.signer.landmarks.body_place(&row.id, lateral), of_hand(None), of_hand(Some(HandPoint::WRIST))) {
+            (Ok(skin), Some(own), Some(wrist)) => (own - wrist).dot(skin.normal(&key.body)) > AWAY,
+            _ => false,
+        }
     }
 
     /// Where the place is in the body's pose; several where the description leaves its side open.

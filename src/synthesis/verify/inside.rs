@@ -2,7 +2,7 @@
 
 use super::Checking;
 use super::finding::{Finding, Kind, Worst};
-use crate::body::solid::Solid;
+use crate::body::solid::HAND_M;
 use crate::phonology::Side;
 
 /// Joints lie under the skin, and the surface that they are measured against is coarse: this deep is in the body, metres.
@@ -11,8 +11,7 @@ const DEEP: f64 = 0.03;
 impl Checking<'_> {
     /// Hands that are in trunk or head, from the first stroke to the end of the last hold.
     pub(super) fn inside(&self) -> Vec<Finding> {
-        let (Some(standing), skeleton) = (self.frames.first(), &self.signer.skeleton) else { return Vec::new() };
-        let Ok(solid) = Solid::new(skeleton, &self.signer.landmarks, standing) else { return Vec::new() };
+        let (solid, skeleton) = (&self.signer.solid, &self.signer.skeleton);
         let report = &self.performance.report;
         let signed = report.stroke_start..=report.sign_end;
         let of = |side: Side| {
@@ -21,7 +20,7 @@ impl Checking<'_> {
             for (number, model) in
                 self.frames.iter().enumerate().filter(|(frame, _)| signed.contains(&self.time_of(*frame)))
             {
-                if solid.is_beyond(HAND, model.position(self.signer.arm(side).hand), model) {
+                if solid.is_beyond(HAND_M, model.position(self.signer.arm(side).hand), model) {
                     continue;
                 }
                 for joint in joints {
@@ -34,6 +33,3 @@ impl Checking<'_> {
         [Side::Left, Side::Right].into_iter().filter_map(of).collect()
     }
 }
-
-/// No joint of a hand is farther from its wrist, metres.
-const HAND: f64 = 0.24;

@@ -6,8 +6,8 @@
 //!
 //! # What it measures
 //! Everything finite; bones as long as at rest; elbow, wrist and fingers within their limits, no finger twisted; no joint turning
-//! faster than a body's; no hand in the body; wrists' speed; how long the sign takes; at the keys, contacts within a centimetre, fingers and palm within
-//! five degrees.
+//! faster than a body's; no hand in the body; wrists' speed; how long the sign takes; at the keys, contacts within a centimetre,
+//! fingers and palm within five degrees.
 //!
 //! # Conventions
 //! One finding a kind, hand and key (or joint), the worst of its frames. A [`Weight::Fault`] is a motion that nobody can use; a

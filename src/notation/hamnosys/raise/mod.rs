@@ -61,3 +61,10 @@ pub fn raise(sign: &Sign, dictionary: &Dictionary) -> Result<Raised, Vec<String>
     let sign = syntax::Sign { gloss, timing, nonmanual, phases, span: Default::default() };
     Ok(Raised { sign, warnings })
 }
+
+/// Says something once.
+fn note(list: &mut Vec<String>, message: &str) {
+    if !list.iter().any(|told| told == message) {
+        list.push(message.to_owned());
+    }
+}

@@ -2,6 +2,7 @@
 
 use super::super::dictionary::Dictionary;
 use super::super::syntax::{Cue, Feature, FeatureKind, Tier, TierKind};
+use super::note;
 use crate::phonology::{Amount, Channel, Keys, NonManual, NonManualValue};
 use glam::DVec3;
 
@@ -15,10 +16,10 @@ pub(super) fn tiers(
     let mut all: Vec<(TierKind, Vec<Cue>)> = Vec::new();
     for (channel, values) in nonmanual {
         if values.len() > 1 || values.iter().any(|(key, _)| key > 0) {
-            let when = "SiGML says non-manual values one after the other, over the whole sign, not at which posture";
-            if !warnings.iter().any(|w| w == when) {
-                warnings.push(when.to_owned());
-            }
+            note(
+                warnings,
+                "SiGML says non-manual values one after the other, over the whole sign, not at which posture",
+            );
         }
         let mut cues: Vec<Cue> = values.iter().filter_map(|(_, v)| cue(*channel, v, dictionary, errors)).collect();
         let Some(cue) = (if cues.len() > 1 { Some(Cue::Sequence(cues)) } else { cues.pop() }) else { continue };
@@ -81,9 +82,7 @@ fn cue(channel: Channel, value: &NonManual, dictionary: &Dictionary, errors: &mu
             | NonManualValue::Sequence(_)
             | NonManualValue::Together(_) => format!("SiGML has no tag for this value of {}", channel.name()),
         };
-        if !errors.contains(&what) {
-            errors.push(what);
-        }
+        note(errors, &what);
         return None;
     };
     Some(Cue::One(Feature {

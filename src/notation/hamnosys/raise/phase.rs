@@ -5,7 +5,7 @@ use super::super::lower::phase::hands_of;
 use super::super::syntax::{
     Action, Fingers, Hands, Location, Motion, Move, Palm, Phase, Posture, Shape, Site, Split, Symmetry,
 };
-use super::{location, orientation, shape};
+use super::{location, note, orientation, shape};
 use crate::phonology::reflection::Reflection;
 use crate::phonology::{
     self, Configuration, Hand, Heading, Keys, Manual, Movement, Orientation, Placement, Relation, Sign,
@@ -120,15 +120,11 @@ enum Said {
 
 impl Raising<'_> {
     pub(super) fn fail(&mut self, message: &str) {
-        if !self.errors.iter().any(|e| e == message) {
-            self.errors.push(message.to_owned());
-        }
+        note(self.errors, message);
     }
 
     pub(super) fn warn(&mut self, message: &str) {
-        if !self.warnings.iter().any(|w| w == message) {
-            self.warnings.push(message.to_owned());
-        }
+        note(self.warnings, message);
     }
 
     /// The value, or its error noted.
