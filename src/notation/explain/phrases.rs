@@ -43,6 +43,26 @@ pub(super) struct Phrases {
     pub goes_along: &'static str,
     pub joins_keys: &'static str,
     pub from_movements: &'static str,
+    /// A phase in a sentence.
+    pub sentence: Sentence,
+}
+
+/// The words of one language for a phase in a sentence.
+pub(super) struct Sentence {
+    pub strong: &'static str,
+    pub other: &'static str,
+    pub both: &'static str,
+    /// What the other hand does in what is not said of it.
+    pub mirrors: &'static str,
+    pub likewise: &'static str,
+    pub but: &'static str,
+    pub makes: &'static str,
+    pub make: &'static str,
+    pub held: &'static str,
+    pub then: &'static str,
+    pub halfway: &'static str,
+    pub and: &'static str,
+    pub named: &'static str,
 }
 
 impl Tongue<'_> {
@@ -91,6 +111,21 @@ const ENGLISH: Phrases = Phrases {
     goes_along: "as the strong hand",
     joins_keys: "changes from posture to posture",
     from_movements: "from the lengths and kinds of the movements",
+    sentence: Sentence {
+        strong: "the dominant hand",
+        other: "the other hand",
+        both: "both hands",
+        mirrors: ", its mirror image",
+        likewise: ", moving with it",
+        but: " but for what follows",
+        makes: "makes",
+        make: "make",
+        held: "without movement",
+        then: ", then ",
+        halfway: "halfway between ",
+        and: " and ",
+        named: "the handshape ",
+    },
 };
 
 const FRENCH: Phrases = Phrases {
@@ -135,4 +170,19 @@ const FRENCH: Phrases = Phrases {
     goes_along: "comme la main dominante",
     joins_keys: "passe d'une posture à l'autre",
     from_movements: "d'après la longueur et le genre des mouvements",
+    sentence: Sentence {
+        strong: "la main dominante",
+        other: "l'autre main",
+        both: "les deux mains",
+        mirrors: ", son image en miroir",
+        likewise: ", en parallèle",
+        but: " à ceci près",
+        makes: "mouvement :",
+        make: "mouvement :",
+        held: "sans mouvement",
+        then: ", puis ",
+        halfway: "à mi-chemin entre ",
+        and: " et ",
+        named: "la configuration ",
+    },
 };

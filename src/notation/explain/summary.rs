@@ -1,6 +1,7 @@
 //! A sign in one sentence: who, with which hand shape, pointing and facing where, at what place, does what.
 
 use super::Tongue;
+use super::phrases::Sentence;
 use super::{english, english_movement, english_noun, french, french_movement, french_noun};
 use crate::notation::hamnosys::Dictionary;
 use crate::notation::hamnosys::raise::shape::shape;
@@ -10,62 +11,9 @@ use crate::phonology::{Configuration, Digits, Hands, Manual, Movement, Orientati
 /// So many movements are told; of more, how many there are.
 const TOLD: usize = 3;
 
-/// The words of a language for a sentence.
-struct Words {
-    strong: &'static str,
-    other: &'static str,
-    both: &'static str,
-    /// What the other hand does in what is not said of it.
-    mirrors: &'static str,
-    likewise: &'static str,
-    but: &'static str,
-    makes: &'static str,
-    make: &'static str,
-    held: &'static str,
-    then: &'static str,
-    halfway: &'static str,
-    and: &'static str,
-    named: &'static str,
-}
-
-const ENGLISH: Words = Words {
-    strong: "the dominant hand",
-    other: "the other hand",
-    both: "both hands",
-    mirrors: ", its mirror image",
-    likewise: ", moving with it",
-    but: " but for what follows",
-    makes: "makes",
-    make: "make",
-    held: "without movement",
-    then: ", then ",
-    halfway: "halfway between ",
-    and: " and ",
-    named: "the handshape ",
-};
-
-const FRENCH: Words = Words {
-    strong: "la main dominante",
-    other: "l'autre main",
-    both: "les deux mains",
-    mirrors: ", son image en miroir",
-    likewise: ", en parallèle",
-    but: " à ceci près",
-    makes: "mouvement :",
-    make: "mouvement :",
-    held: "sans mouvement",
-    then: ", puis ",
-    halfway: "à mi-chemin entre ",
-    and: " et ",
-    named: "la configuration ",
-};
-
 /// A phase of a sign of a language in one sentence.
 pub(super) fn sentence(sign: &Sign, language: &str, tongue: Tongue) -> String {
-    let words = match tongue {
-        Tongue::English => &ENGLISH,
-        Tongue::French(_) => &FRENCH,
-    };
+    let words = &tongue.phrases().sentence;
     let teller = Teller { language, words, tongue };
     let strong = || teller.hand(words.strong, &sign.strong, words.makes);
     let said = match sign.hands {
@@ -91,7 +39,7 @@ pub(super) fn sentence(sign: &Sign, language: &str, tongue: Tongue) -> String {
 /// Who tells: of which sign language, in which words.
 struct Teller<'a> {
     language: &'a str,
-    words: &'a Words,
+    words: &'a Sentence,
     tongue: Tongue<'a>,
 }
 
