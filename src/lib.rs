@@ -5,7 +5,9 @@
 pub mod avatar;
 pub mod body;
 pub mod cli;
+pub mod corpus;
 pub mod diagnostics;
+pub mod evaluation;
 pub mod format;
 pub mod motion;
 pub mod notation;

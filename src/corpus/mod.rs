@@ -1,0 +1,7 @@
+//! Annotated motion capture: recordings, what is annotated on them, and how their segments are found by phonology
+//! (Naert et al. 2021, §3).
+//!
+//! A recording is a motion of the rig with tiers over it. Its segments are what a hand does under one gloss, with the
+//! values of each phonological component and when they hold. Nothing here changes a motion.
+
+pub mod segment;
