@@ -24,6 +24,9 @@ pub struct Signer {
     pub landmarks: Landmarks,
     /// The room that trunk and head take up.
     pub solid: Solid,
+    /// How the signer stands before and after signing, where that was captured (Naert et al. 2021, §4.2: neutral poses from
+    /// the data); made up where it was not.
+    pub resting: Option<LocalPose>,
     arms: [ArmRig; 2],
     hands: [HandRig; 2],
     spine: Vec<JointId>,
@@ -91,7 +94,19 @@ impl Signer {
         let (neck, head) = (skeleton.joint("Neck")?, skeleton.joint("Head")?);
         let eyes = [skeleton.find("LeftEye"), skeleton.find("RightEye")];
         let solid = Solid::new(&skeleton, &landmarks)?;
-        Ok(Signer { skeleton, morphs: Arc::new(morphs), landmarks, solid, arms, hands, spine, neck, head, eyes })
+        Ok(Signer {
+            skeleton,
+            morphs: Arc::new(morphs),
+            landmarks,
+            solid,
+            resting: None,
+            arms,
+            hands,
+            spine,
+            neck,
+            head,
+            eyes,
+        })
     }
 
     /// An arm.
@@ -151,8 +166,12 @@ impl Signer {
         pose.set(arm.upper, (raised.inverse() * before * pose.rotation(arm.upper)).normalize());
     }
 
-    /// How the signer stands before and after signing: arms hanging, hands loose, `relaxed` fingers.
+    /// How the signer stands before and after signing: as captured ([`Signer::resting`]), else arms hanging, hands loose, `relaxed`
+    /// fingers.
     pub fn neutral(&self, relaxed: &HandAngles) -> LocalPose {
+        if let Some(captured) = &self.resting {
+            return captured.clone();
+        }
         let mut pose = LocalPose::rest(&self.skeleton);
         for side in [Side::Left, Side::Right] {
             self.move_shoulder(side, Shoulder::default(), &mut pose);

@@ -14,8 +14,10 @@ mod accessor;
 mod container;
 mod document;
 pub mod read;
+mod rig;
 mod samples;
 mod write;
 
 pub use read::{GlbJoint, GlbModel, GlbMorph, GlbPart, morph_names};
+pub use rig::Rig;
 pub use write::write;

@@ -9,6 +9,41 @@ use super::sign::Sign;
 use crate::diagnostics::Error;
 use glam::DVec3;
 
+/// The parts of a hand's motion that recombination exchanges one by one (Naert et al. 2021, figure 1).
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum ManualChannel {
+    /// The fingers.
+    Configuration,
+    /// How the hand is turned.
+    Orientation,
+    /// Where the arm brings the hand: placement, and over time movement.
+    Placement,
+}
+
+impl ManualChannel {
+    /// All three.
+    pub const ALL: [ManualChannel; 3] =
+        [ManualChannel::Configuration, ManualChannel::Orientation, ManualChannel::Placement];
+
+    /// The name in text.
+    pub fn name(self) -> &'static str {
+        match self {
+            ManualChannel::Configuration => "configuration",
+            ManualChannel::Orientation => "orientation",
+            ManualChannel::Placement => "placement",
+        }
+    }
+}
+
+/// A captured sign: a take of a corpus by its name, with channels of other takes in it.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Taken {
+    /// The take.
+    pub take: String,
+    /// Which channels come from which other takes, each at most once.
+    pub channels: Vec<(ManualChannel, String)>,
+}
+
 /// A sign made from others.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Recombination {

@@ -2,7 +2,9 @@
 
 use crate::diagnostics::Span;
 use crate::phonology::nonmanual::{Channel, NonManual};
-use crate::phonology::{Hand, Sign};
+use crate::phonology::operator::Operator;
+use crate::phonology::recombination::Taken;
+use crate::phonology::{Hand, Place, Sign};
 use crate::time::Seconds;
 use std::ops::Range;
 
@@ -37,6 +39,32 @@ pub enum Act {
     Hold(Option<Hand>, Option<Seconds>),
     /// Both hands go to the neutral pose, and rest.
     Rest(Option<Seconds>),
+    /// A sign as it was captured, edited as motion.
+    Captured(Box<Captured>),
+}
+
+/// A captured sign and what is done with it, in this order.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Captured {
+    /// Which motion.
+    pub what: CapturedSign,
+    /// Operators, one after the other, as far as motion can be operated on.
+    pub operators: Vec<Operator>,
+    /// How often it is made in all.
+    pub times: u8,
+    /// The hands are exchanged: the weak hand makes it, or the signer is left-handed.
+    pub swapped: bool,
+    /// Where it is moved to.
+    pub place: Option<Place>,
+}
+
+/// Which captured motion a sign is.
+#[derive(Debug, Clone, PartialEq)]
+pub enum CapturedSign {
+    /// One with this gloss: which, the corpus chooses.
+    Gloss(String),
+    /// Exactly this take, perhaps with channels of others.
+    Take(Taken),
 }
 
 /// A non-manual value over a stretch of items.

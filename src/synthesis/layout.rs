@@ -71,7 +71,8 @@ pub(super) fn lay_out(stage: &Stage, plan: &Plan, prepared: &[Prepared], slower:
                 ended = hands;
                 of(transition, stroke, hold.max(least_sign - stroke))
             }
-            Act::Hold(Some(_), _) => of(0.0, 0.0, 0.0),
+            // Captured signs are put in afterwards ([`super::captured`]).
+            Act::Hold(Some(_), _) | Act::Captured(_) => of(0.0, 0.0, 0.0),
             Act::Hold(None, time) => of(0.0, 0.0, time.map_or(timing.hold, |t| t.0) / speed),
             Act::Rest(time) => {
                 let ways = [Side::Left, Side::Right].map(|side| leaving(stage, side, left[side as usize], at) * slow);
@@ -98,7 +99,7 @@ pub(super) fn lay_out(stage: &Stage, plan: &Plan, prepared: &[Prepared], slower:
                     }
                 }
             }
-            Act::Rest(_) => left = [None; 2],
+            Act::Rest(_) | Act::Captured(_) => left = [None; 2],
         }
         items.push(phases);
     }

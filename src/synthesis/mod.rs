@@ -9,6 +9,7 @@
 
 mod aim;
 pub mod anchor;
+pub mod captured;
 mod clear;
 pub mod edit;
 mod expression;
@@ -58,6 +59,7 @@ use crate::time::Fps;
 use crate::track::Track;
 pub use report::Report;
 use schedule::{Measured, Schedule};
+use std::collections::BTreeMap;
 
 /// The inventories that synthesis looks names up in.
 #[derive(Debug, Clone)]
@@ -70,6 +72,9 @@ pub struct Grammar {
     pub movements: MovementTable,
     /// Non-manual values.
     pub expressions: Expressions,
+    /// Hands that were captured, by the id of their handshape, and which frame of which recording they are: they stand in for the
+    /// inventory's (Naert et al. 2021, §5).
+    pub captured: BTreeMap<String, (HandAngles, String)>,
 }
 
 impl Grammar {
@@ -80,11 +85,22 @@ impl Grammar {
             locations: LocationInventory::builtin(),
             movements: MovementTable::embedded(),
             expressions: Expressions::embedded(),
+            captured: BTreeMap::new(),
         }
+    }
+
+    /// The captured hand of a configuration that is named and not changed.
+    fn captured_hand(&self, configuration: &Configuration, language: Option<&str>) -> Option<&(HandAngles, String)> {
+        let plain = configuration.changes.is_empty() && configuration.between.is_none() && !self.captured.is_empty();
+        let shape = plain.then(|| self.handshapes.find(&configuration.base, language).ok()).flatten()?;
+        self.captured.get(&shape.id)
     }
 
     /// The joint angles of a configuration of a sign.
     fn angles(&self, configuration: &Configuration, sign: &Sign) -> Result<HandAngles, Error> {
+        if let Some((angles, _)) = self.captured_hand(configuration, language(sign)) {
+            return Ok(*angles);
+        }
         self.handshapes.angles(configuration, language(sign)).map_err(|e| Error::new(e.to_string()))
     }
 

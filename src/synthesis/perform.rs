@@ -81,7 +81,7 @@ pub(super) fn measure(plan: &Plan, stage: &Stage) -> Result<Measured, Error> {
         phases.stroke.least = least(phases.stroke.usual, speeds.strokes[i].wrist, pressed);
         let floor = match &item.act {
             Act::Sign(sign) if sign.intervals == 0 => LEAST_POSTURE,
-            Act::Sign(_) | Act::Hold(..) | Act::Rest(_) => 0.0,
+            Act::Sign(_) | Act::Hold(..) | Act::Rest(_) | Act::Captured(_) => 0.0,
         };
         phases.hold.least = least(phases.hold.usual, 0.0, floor);
     }
@@ -212,7 +212,7 @@ fn write(
         }
     }
     let frames = poses.into_iter().zip(weights).map(|(pose, weights)| Frame { pose, weights }).collect();
-    let tiers = tiers::of_plan(plan, prepared, &timelines, schedule);
+    let tiers = tiers::with_captured(tiers::of_plan(plan, prepared, &timelines, schedule), prepared, stage.grammar);
     let track = Track { clip: clip(stage.signer, fps, frames)?, tiers };
     Ok((Performance { track, report }, speeds))
 }
@@ -296,7 +296,7 @@ fn held_until(
                 let at_least = schedule.items[j].stroke.0 - schedule.items[j - 1].hold_end.0;
                 return until.max(schedule.items[j].stroke.0 - needs.max(at_least));
             }
-            Act::Rest(_) => return until,
+            Act::Rest(_) | Act::Captured(_) => return until,
         }
     }
     until

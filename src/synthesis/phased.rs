@@ -38,7 +38,7 @@ impl<'p> Phased<'p> {
                     let acts = sign.phases().map(|phase| Act::Sign(Box::new(alone(phase, sign))));
                     items.extend(acts.map(|act| Item { act, ..item.clone() }));
                 }
-                Act::Sign(_) | Act::Hold(..) | Act::Rest(_) => items.push(item.clone()),
+                Act::Sign(_) | Act::Hold(..) | Act::Rest(_) | Act::Captured(_) => items.push(item.clone()),
             }
             groups.push(first..items.len());
             stated.push(lasts);

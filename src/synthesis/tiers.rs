@@ -2,8 +2,8 @@
 
 use super::prepare::Prepared;
 use super::schedule::Schedule;
-use super::side_of;
 use super::timeline::Timeline;
+use super::{Grammar, side_of};
 use crate::phonology::symmetry::{acts, resolve};
 use crate::phonology::{
     Action, Channel, Configuration, Contact, ContactKind, Distance, Extent, Hand, HandPoint, HandshapeChange, Keys,
@@ -38,6 +38,30 @@ pub(super) fn of_plan(plan: &Plan, prepared: &[Prepared], timelines: &[Timeline]
         }
     }
     tiers.in_order()
+}
+
+/// The tiers with the sources of hands that were captured.
+pub(super) fn with_captured(tiers: Vec<Tier>, prepared: &[Prepared], grammar: &Grammar) -> Vec<Tier> {
+    if grammar.captured.is_empty() {
+        return tiers;
+    }
+    let languages: Vec<Option<&str>> = prepared.iter().map(|p| super::language(p.sign)).collect();
+    let source = |label: &str| {
+        let named = Configuration::named(label);
+        languages.iter().find_map(|language| grammar.captured_hand(&named, *language)).map(|(_, source)| source)
+    };
+    let again = |tier: Tier| {
+        if !tier.name.ends_with("Configuration") {
+            return tier;
+        }
+        let mut made = Tier::new(tier.name.clone());
+        for v in tier.values() {
+            let source = source(&v.label).unwrap_or(&v.source);
+            made.push(v.start, v.end, v.label.clone(), source.clone());
+        }
+        made
+    };
+    tiers.into_iter().map(again).collect()
 }
 
 /// Tiers by name.
@@ -130,7 +154,7 @@ fn phases(sign: &Prepared, timeline: &Timeline, way: &str, plan: &Plan, schedule
             (last, Some(schedule.retracted.0))
         }
         Some((Act::Rest(_), rest)) => (schedule.items[rest - 1].hold_end.0, Some(schedule.items[rest].stroke.0)),
-        Some((Act::Sign(_) | Act::Hold(..), next)) => (schedule.items[next - 1].hold_end.0, None),
+        Some((Act::Sign(_) | Act::Hold(..) | Act::Captured(_), next)) => (schedule.items[next - 1].hold_end.0, None),
     };
     let spans = [
         (timeline.start, timeline.stroke, way),
@@ -159,7 +183,7 @@ fn keyed<T>(tier: &mut Tier, keys: &Keys<T>, timeline: &Timeline, label: fn(&T) 
     }
 }
 
-fn configuration_label(c: &Configuration) -> String {
+pub(super) fn configuration_label(c: &Configuration) -> String {
     let mut label = c.base.clone();
     if let Some(other) = &c.between {
         label += &format!("–{}", other.second);

@@ -8,11 +8,12 @@ use chereme::notation::gloss::{parse, print};
 use chereme::notation::syntax::{
     Configuration, Distance, Duration, Ignored, NonManual, NonManualWhat, Operator, Place, Placement,
 };
+use chereme::phonology::recombination::{ManualChannel, Taken};
 use chereme::phonology::{Amount, Channel, Hand, Space};
 use proptest::collection::vec;
 use proptest::option::of;
 use proptest::prelude::*;
-use proptest::sample::select;
+use proptest::sample::{select, subsequence};
 
 fn here<T>(value: T) -> Spanned<T> {
     Spanned::new(value, Span::default())
@@ -23,6 +24,8 @@ fn name() -> impl Strategy<Value = String> {
     let hard = [
         "ix",
         "fs",
+        "take",
+        "configuration",
         "WEAK",
         "wrist",
         "left",
@@ -82,7 +85,12 @@ fn signed() -> impl Strategy<Value = Signed> {
     let spelled = (name(), of(site())).prop_map(|(word, site)| (Head::Spelled(word), site, 1));
     let pointing = (site(), any::<bool>(), 1u8..4)
         .prop_map(|(site, wrist, n)| (if wrist { Head::Wrist(site) } else { Head::Pointing(site) }, None, n));
-    (prop_oneof![3 => gloss, 1 => spelled, 1 => pointing], hand, operators()).prop_map(
+    let channels = subsequence(ManualChannel::ALL.to_vec(), 0..=3);
+    let taken = (name(), channels, name(), of(site())).prop_map(|(take, channels, other, site)| {
+        let channels = channels.into_iter().map(|channel| (channel, other.clone())).collect();
+        (Head::Taken(Taken { take, channels }), site, 1)
+    });
+    (prop_oneof![3 => gloss, 1 => spelled, 1 => pointing, 1 => taken], hand, operators()).prop_map(
         |((head, site, performances), hand, operators)| Signed {
             head: here(head),
             hand,

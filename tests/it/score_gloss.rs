@@ -62,7 +62,7 @@ fn the_language_is_the_one_that_knows_most() {
     assert_eq!(line.diagnostics, []);
     let languages = line.plan.items.iter().map(|item| match &item.act {
         Act::Sign(sign) => sign.language.as_str(),
-        Act::Hold(..) | Act::Rest(_) => "",
+        Act::Hold(..) | Act::Rest(_) | Act::Captured(_) => "",
     });
     assert_eq!(languages.collect::<Vec<_>>(), ["bsl", "asl"]);
     let told = messages("CHIEN");

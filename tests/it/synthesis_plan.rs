@@ -21,6 +21,7 @@ fn plan(acts: impl IntoIterator<Item = Act>) -> Plan {
         Act::Sign(sign) => sign.name.clone(),
         Act::Hold(..) => "<HOLD>".into(),
         Act::Rest(_) => "<REST>".into(),
+        Act::Captured(_) => "captured".into(),
     };
     Plan {
         items: acts.into_iter().map(|act| Item { gloss: gloss(&act), act, span: None }).collect(),

@@ -19,12 +19,14 @@ pub mod names;
 mod outward;
 mod report;
 mod root;
+mod t_pose;
 
 pub use axes::{Axes, SignedAxis, propose_axes};
 pub use humanoid::Humanoid;
 pub use inward::retarget;
 pub use outward::to_theirs;
 pub use report::{Part, PartError, Report};
+pub use t_pose::begins_with_t_pose;
 
 use crate::motion::clip::Clip;
 use crate::motion::pose::LocalPose;

@@ -9,6 +9,7 @@ use super::super::{Failure, Sources, files, terminal};
 use super::Render;
 use super::input::{self, Asked, Request};
 use super::output::Format;
+use super::rig::Theirs;
 use crate::avatar;
 use crate::body::signer::Signer;
 use crate::notation::formats::Words;
@@ -24,6 +25,7 @@ struct Stage<'a> {
     words: &'a Words,
     signer: &'a Signer,
     options: &'a Options,
+    rig: Option<&'a Theirs>,
 }
 
 /// A sign and its files.
@@ -47,6 +49,7 @@ pub(super) fn run(
     grammar: &Grammar,
     words: &Words,
     options: &Options,
+    rig: Option<&Theirs>,
 ) -> Result<(), Failure> {
     let began = Instant::now();
     let targets = targets(command)?;
@@ -57,7 +60,7 @@ pub(super) fn run(
     let jobs = jobs(command, &targets, asked)?;
     let pool = parallel::pool(command.jobs)?;
     let signer = avatar::signer().map_err(|e| Failure::Faults(Some(e.to_string())))?;
-    let stage = Stage { grammar, words, signer: &signer, options };
+    let stage = Stage { grammar, words, signer: &signer, options, rig };
     let loudness = if command.quiet { Loudness::Quiet } else { Loudness::Told };
     let progress = Progress::new(jobs.len(), loudness);
     let (mut rendered, mut failed) = (0, refused);
@@ -139,7 +142,7 @@ impl Stage<'_> {
         let performance = synthesize_plan(&job.asked.plan, self.grammar, self.signer, self.options);
         let performance = performance.map_err(|e| e.to_string())?;
         for (path, format) in &job.files {
-            let bytes = format.bytes(&job.asked, &performance.track, &self.words.vocabulary);
+            let bytes = format.bytes(&job.asked, &performance.track, &self.words.vocabulary, self.rig);
             let bytes = bytes.map_err(|e| e.to_string())?;
             let written = files::make_folder_of(path).and_then(|()| files::write_whole(path, &bytes));
             written.map_err(|failure| match failure {

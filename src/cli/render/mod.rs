@@ -3,15 +3,19 @@
 mod each;
 mod input;
 mod output;
+mod rig;
 
 use super::{Failure, Sources, terminal, world};
 use crate::avatar;
+use crate::body::signer::Signer;
 use crate::diagnostics::Error;
 use crate::motion::easing::Easing;
 use crate::synthesis::{Options, synthesize_plan};
 use crate::time::Fps;
 use input::Request;
 use output::{Format, Outputs};
+use rig::Theirs;
+use std::path::PathBuf;
 
 #[derive(Debug, clap::Args)]
 #[command(
@@ -62,6 +66,10 @@ pub(super) struct Render {
     /// Which of the possible performances, with --variation
     #[arg(long, value_name = "N", default_value_t = 0)]
     seed: u64,
+    /// Write .bvh or .glb files for this rig instead of the avatar: a BVH file, or a GLB file with a skin; its joints are found
+    /// by their names
+    #[arg(long, value_name = "FILE")]
+    rig: Option<PathBuf>,
     /// Overwrite files that are there
     #[arg(long)]
     force: bool,
@@ -75,16 +83,17 @@ impl Render {
         let options = self.options()?;
         let grammar = world::grammar(sources)?;
         let words = world::words(&grammar);
+        let failed = |e: Error| Failure::Faults(Some(e.to_string()));
+        let rig = self.rig(avatar::signer().map_err(failed)?)?;
         if self.each || self.output.iter().any(|o| o.contains('{')) {
-            return each::run(self, sources, &grammar, &words, &options);
+            return each::run(self, sources, &grammar, &words, &options, rig.as_ref());
         }
-        let outputs = Outputs::of(self, &words.vocabulary)?;
+        let outputs = Outputs::of(self, &words.vocabulary, rig.as_ref())?;
         let Request { asked, mut faulty, .. } = input::request(self, sources, &grammar, &words)?;
         if asked.is_empty() && !faulty {
             return Err(Failure::Faults(Some("there is no sign to render".into())));
         }
         outputs.check(&asked)?;
-        let failed = |e: Error| Failure::Faults(Some(e.to_string()));
         let signer = avatar::signer().map_err(failed)?;
         for asked in &asked {
             // What one sign cannot do does not keep the others from being written.
@@ -108,6 +117,21 @@ impl Render {
             }
         }
         if faulty { Err(Failure::Faults(None)) } else { Ok(()) }
+    }
+
+    /// The rig that motion is written for, where it is not the avatar's.
+    fn rig(&self, signer: Signer) -> Result<Option<Theirs>, Failure> {
+        let Some(path) = &self.rig else { return Ok(None) };
+        let rig = Theirs::read(path, signer, self.quiet)?;
+        let ends = format!(".{}", rig.extension());
+        let formats = self.format.iter().any(|format| format.extension() == rig.extension());
+        if !formats && !self.output.iter().any(|output| output.to_lowercase().ends_with(&ends)) {
+            return Err(Failure::Usage(format!(
+                "--rig {}: write a {ends} file with it (-o NAME{ends})",
+                path.display()
+            )));
+        }
+        Ok(Some(rig))
     }
 
     /// The knobs of synthesis that the options state.

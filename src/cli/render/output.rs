@@ -4,6 +4,7 @@ use super::super::template::safe;
 use super::super::{Failure, files, terminal};
 use super::Render;
 use super::input::Asked;
+use super::rig::Theirs;
 use crate::avatar;
 use crate::diagnostics::Error;
 use crate::format::{bvh, csv, eaf, glb, html, profile_plot, svg};
@@ -59,7 +60,17 @@ impl Format {
         })
     }
 
-    pub(super) fn bytes(self, asked: &Asked, track: &Track, vocabulary: &Vocabulary) -> Result<Vec<u8>, Error> {
+    /// A performance in this format; on another rig than the avatar's where there is one and the format is its own.
+    pub(super) fn bytes(
+        self,
+        asked: &Asked,
+        track: &Track,
+        vocabulary: &Vocabulary,
+        rig: Option<&Theirs>,
+    ) -> Result<Vec<u8>, Error> {
+        if let Some(rig) = rig.filter(|rig| rig.extension() == self.extension()) {
+            return rig.bytes(&track.clip);
+        }
         match self {
             Format::Html => html::write(avatar::GLB, track, &asked.page).map(String::into_bytes),
             Format::Glb => glb::write(avatar::GLB, track),
@@ -105,16 +116,21 @@ pub(super) struct Outputs<'a> {
     targets: Vec<Target>,
     command: &'a Render,
     vocabulary: &'a Vocabulary,
+    rig: Option<&'a Theirs>,
 }
 
 impl<'a> Outputs<'a> {
     /// Reads the `-o` options. The names of the vocabulary are those that ELAN offers.
-    pub(super) fn of(command: &'a Render, vocabulary: &'a Vocabulary) -> Result<Outputs<'a>, Failure> {
+    pub(super) fn of(
+        command: &'a Render,
+        vocabulary: &'a Vocabulary,
+        rig: Option<&'a Theirs>,
+    ) -> Result<Outputs<'a>, Failure> {
         let targets = command.output.iter().map(|o| Target::of(o)).collect::<Result<Vec<_>, _>>()?;
         if command.format.len() > 1 && targets.iter().any(|t| matches!(t, Target::StandardOutput)) {
             return Err(Failure::Usage("one format goes to standard output: choose it with --format".into()));
         }
-        Ok(Outputs { targets, command, vocabulary })
+        Ok(Outputs { targets, command, vocabulary, rig })
     }
 
     /// Says what cannot be written, before the work: several things into one file, one file twice, a file that is
@@ -159,7 +175,7 @@ impl<'a> Outputs<'a> {
     /// Writes a performance everywhere; gives the files.
     pub(super) fn write(&self, asked: &Asked, track: &Track) -> Result<Vec<PathBuf>, Failure> {
         let bytes = |format: Format| {
-            format.bytes(asked, track, self.vocabulary).map_err(|e| Failure::Faults(Some(e.to_string())))
+            format.bytes(asked, track, self.vocabulary, self.rig).map_err(|e| Failure::Faults(Some(e.to_string())))
         };
         if self.targets.iter().any(|t| matches!(t, Target::StandardOutput)) {
             for format in &self.command.format {

@@ -28,6 +28,7 @@ mod euler;
 mod hierarchy;
 mod motion;
 mod number;
+mod onto;
 mod print;
 mod read;
 mod unit;
@@ -36,6 +37,7 @@ mod write;
 
 pub use clip::{ClipOptions, Converted, Roots, to_clip};
 pub use data::{Axis, Bvh, Channel, Joint};
+pub use onto::onto;
 pub use print::print;
 pub use read::{Reading, read, source_of_bytes};
 pub use unit::{UnitProposal, propose_unit};

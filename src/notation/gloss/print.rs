@@ -7,6 +7,7 @@ use crate::notation::lex::quote;
 use crate::notation::print::recombination::operators;
 use crate::notation::print::words::{bare, cell_words, duration, nonmanual};
 use crate::notation::syntax::{Duration, NonManual};
+use crate::phonology::recombination::ManualChannel;
 use crate::phonology::{Channel, Hand, Space};
 
 /// Prints a line; what is printed reads back as the same line.
@@ -76,6 +77,10 @@ pub(crate) fn signed(v: &Signed) -> String {
         Head::Pointing(site) => format!("IX({})", site_text(site)),
         Head::Wrist(site) => format!("wrist({})", site_text(site)),
         Head::Spelled(word) => format!("fs({})", self::word(word)),
+        Head::Taken(taken) => {
+            let others = taken.channels.iter().map(|(channel, take)| format!(", {} {}", channel.name(), quoted(take)));
+            format!("take({}{})", quoted(&taken.take), others.collect::<String>())
+        }
     };
     if let Some(site) = &v.site {
         match &site.value {
@@ -96,6 +101,14 @@ pub(crate) fn signed(v: &Signed) -> String {
 /// A word to be spelled, in quotes where it has marks.
 pub(crate) fn word(word: &str) -> String {
     bare(word, &[], &[])
+}
+
+/// The name of a take, in quotes where it has spaces or marks, or is a channel's.
+fn quoted(take: &str) -> String {
+    if ManualChannel::ALL.iter().any(|channel| take.eq_ignore_ascii_case(channel.name())) {
+        return quote(take);
+    }
+    name_text(take)
 }
 
 /// A name, in quotes where it has spaces or marks.

@@ -2,6 +2,7 @@
 
 use crate::diagnostics::{Span, Spanned};
 use crate::notation::syntax::{Duration, Ignored, NonManual, Operator};
+use crate::phonology::recombination::Taken;
 use crate::phonology::{Channel, Hand, Space};
 
 /// A whole line.
@@ -87,6 +88,8 @@ pub enum Head {
     Wrist(Site),
     /// `fs(LSF)`
     Spelled(String),
+    /// `take(father_3, configuration eight_2)`: exactly this take of a corpus, its fingers from another one.
+    Taken(Taken),
 }
 
 /// Where a sign is made, or what is pointed at.

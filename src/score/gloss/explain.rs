@@ -30,6 +30,7 @@ pub fn explain(reading: &Reading) -> String {
                 format!("the left hand stays{} while the right one goes on", seconds(*long))
             }
             Act::Rest(long) => format!("the hands rest{}", seconds(*long)),
+            Act::Captured(_) => what.map(captured).unwrap_or_default(),
         };
         let label: String = item.gloss.split_whitespace().collect::<Vec<_>>().join(" ");
         out.push_str(&format!("{:>3}  {label:width$}  {words}\n", i + 1));
@@ -72,6 +73,13 @@ fn seconds(long: Option<Seconds>) -> String {
     long.map(|s| format!(" for {} s", s.0)).unwrap_or_default()
 }
 
+fn captured(what: &What) -> String {
+    match what {
+        What::Signed(one) => format!("as it was captured: {}", signed(one, None)),
+        What::Together(..) | What::Pause(_) | What::Hold(..) | What::Rest(_) | What::Face(_) => String::new(),
+    }
+}
+
 fn signs(what: &What, sign: &Sign) -> String {
     match what {
         What::Signed(one) => signed(one, Some(sign)),
@@ -96,6 +104,10 @@ fn signed(written: &Signed, sign: Option<&Sign>) -> String {
         Head::Spelled(word) => {
             let letters: Vec<String> = word.chars().map(|c| c.to_uppercase().to_string()).collect();
             format!("spelled {}", letters.join(" "))
+        }
+        Head::Taken(taken) => {
+            let others = taken.channels.iter().map(|(channel, take)| format!(", its {} from {take}", channel.name()));
+            format!("the take {}{}", taken.take, others.collect::<String>())
         }
     };
     if !written.operators.value.is_empty() {

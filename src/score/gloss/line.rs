@@ -1,7 +1,7 @@
 //! The items of a line in order: what was signed where is known to those that follow.
 
 use super::lookup::Lookup;
-use super::{Known, signed};
+use super::{Known, captured, signed};
 use crate::diagnostics::{Diagnostic, Span, Spanned};
 use crate::notation::gloss::syntax::{Face, GlossLine, Head, Item, Signed, Site, What};
 use crate::notation::lower::nonmanual;
@@ -45,7 +45,10 @@ impl Line<'_> {
         for item in items {
             let span = item.span.0;
             let act = match &item.what {
-                What::Signed(one) => signed::sign(self, one).map(|sign| Act::Sign(Box::new(sign))),
+                What::Signed(one) => match captured::of(self, one) {
+                    Some(captured) => captured.map(|captured| Act::Captured(Box::new(captured))),
+                    None => signed::sign(self, one).map(|sign| Act::Sign(Box::new(sign))),
+                },
                 What::Together(strong, weak) => {
                     signed::together(self, strong, weak).map(|sign| Act::Sign(Box::new(sign)))
                 }
@@ -90,6 +93,7 @@ impl Line<'_> {
         for signed in signs {
             let name = match &signed.head.value {
                 Head::Gloss(name) | Head::Spelled(name) => name.clone(),
+                Head::Taken(taken) => taken.take.clone(),
                 Head::Pointing(_) | Head::Wrist(_) => String::new(),
             };
             if let Some(Ok(place)) = signed.site.as_ref().map(|site| self.resolve(&site.value)) {

@@ -8,6 +8,7 @@
 //! The labels of the plan's items are the glosses as written. A pause is a hold: 0.2 s for a comma, 0.5 s for a point.
 //! Of two values of one channel, the inner braces' holds within them.
 
+mod captured;
 mod explain;
 mod line;
 mod lookup;
@@ -22,7 +23,9 @@ use crate::notation::gloss::parse;
 use crate::notation::gloss::syntax::GlossLine;
 use crate::notation::{Lexicon, Vocabulary};
 use crate::phonology::Hand;
+use crate::phonology::grammar::fold;
 use crate::phonology::operator::Tables;
+use std::collections::BTreeSet;
 
 /// How a line is read.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
@@ -35,6 +38,25 @@ pub struct Settings {
     pub handedness: Handedness,
     /// What becomes of glosses that the lexicon does not know.
     pub missing: Missing,
+    /// Glosses that a corpus has captured.
+    pub captured: CapturedGlosses,
+}
+
+/// Glosses of which a corpus has motion.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct CapturedGlosses {
+    /// The glosses, in any case.
+    pub glosses: BTreeSet<String>,
+    /// Whether motion is preferred to a description; else it stands in only where there is none.
+    pub preferred: bool,
+}
+
+impl CapturedGlosses {
+    /// Whether motion of that gloss was captured.
+    pub fn has(&self, gloss: &str) -> bool {
+        let folded = fold(gloss);
+        self.glosses.iter().any(|known| fold(known) == folded)
+    }
 }
 
 /// The signer's strong hand.

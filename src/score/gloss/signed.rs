@@ -72,6 +72,11 @@ fn head(line: &mut Line, written: &Spanned<Head>) -> Option<Sign> {
             Some(wrist_to(place))
         }
         Head::Spelled(word) => spelling::word(line, word, span),
+        Head::Taken(_) => {
+            let fault = Diagnostic::fault(span, "a take has no description that another sign can be made with");
+            line.diagnostics.push(fault.label("captured").hint("sign one after the other"));
+            None
+        }
     }
 }
 
@@ -108,7 +113,7 @@ fn gloss(line: &mut Line, name: &str, span: Span) -> Option<Sign> {
 /// The same sign with the weak hand. Pointing keeps its target.
 fn on_weak_hand(sign: Sign, written: &Signed) -> Sign {
     match written.head.value {
-        Head::Gloss(_) | Head::Spelled(_) => swapped(&sign),
+        Head::Gloss(_) | Head::Spelled(_) | Head::Taken(_) => swapped(&sign),
         Head::Pointing(_) | Head::Wrist(_) => for_left_hander(&sign),
     }
 }

@@ -56,7 +56,7 @@ impl Extent {
     }
 
     /// The weight at each frame of a clip.
-    pub(super) fn weights(&self, clip: &Clip) -> Vec<f64> {
+    pub(in crate::synthesis) fn weights(&self, clip: &Clip) -> Vec<f64> {
         (0..clip.frames().len()).map(|i| self.weight(clip.fps().time_of(FrameIndex(i)))).collect()
     }
 }

@@ -34,6 +34,7 @@ pub use relocate::{Relocation, mean_place, relocated, relocated_to};
 pub use repeat::{Repetition, repeated};
 pub use size::{About, Scaling, sized};
 pub use speed::at_speed;
+pub(super) use wrists::turn_hand;
 pub use wrists::{HandKept, Moved, Sides};
 
 use crate::body::signer::Signer;
@@ -42,6 +43,8 @@ use crate::motion::clip::{Clip, Frame};
 use crate::motion::pose::LocalPose;
 use crate::motion::rotation::continuous;
 use crate::motion::skeleton::JointId;
+use crate::phonology::Side;
+use glam::DVec3;
 use std::sync::Arc;
 
 /// The longest clip that an operator makes: some 27 minutes at 60 frames a second.
@@ -56,7 +59,7 @@ fn remade(clip: &Clip, frames: Vec<Frame>) -> Clip {
 /// A clip with the rotations of some joints made anew in each frame; nothing else changes.
 ///
 /// The rotation nearer in sign to the frame before is written, so a joint that keeps its rotation keeps its bits.
-fn rewritten(clip: &Clip, joints: &[JointId], mut each: impl FnMut(usize, &mut LocalPose)) -> Clip {
+pub(super) fn rewritten(clip: &Clip, joints: &[JointId], mut each: impl FnMut(usize, &mut LocalPose)) -> Clip {
     let mut frames: Vec<Frame> = Vec::with_capacity(clip.frames().len());
     for (i, source) in clip.frames().iter().enumerate() {
         let mut frame = source.clone();
@@ -71,13 +74,18 @@ fn rewritten(clip: &Clip, joints: &[JointId], mut each: impl FnMut(usize, &mut L
 }
 
 /// Turns signs of quaternions from a frame on so that each is nearest to the one before.
-fn continue_signs(frames: &mut [Frame], from: usize) {
+pub(super) fn continue_signs(frames: &mut [Frame], from: usize) {
     for i in from.max(1)..frames.len() {
         let (before, after) = frames.split_at_mut(i);
         for (q, p) in after[0].pose.rotations.iter_mut().zip(&before[i - 1].pose.rotations) {
             *q = continuous(*p, *q);
         }
     }
+}
+
+/// Where a wrist is in every frame, model space, metres.
+pub(super) fn wrist_path(clip: &Clip, signer: &Signer, side: Side) -> Vec<DVec3> {
+    wrists::paths(clip, signer, &[side]).remove(0)
 }
 
 /// Whether a clip's joints are the signer's.
@@ -90,7 +98,7 @@ fn fits(clip: &Clip, signer: &Signer) -> Result<(), Error> {
 }
 
 /// Whether a result of so many frames may be made.
-fn may_last(frames: f64) -> Result<usize, Error> {
+pub(super) fn may_last(frames: f64) -> Result<usize, Error> {
     if frames <= MOST_FRAMES as f64 {
         return Ok(frames as usize);
     }

@@ -162,7 +162,7 @@ fn write(arm: &ArmRig, placed: &PlacedArm, kept: HandKept, before: &ModelPose, t
 /// Gives the hand another rotation relative to the forearm, and the forearm's skin its share of the change.
 ///
 /// `turned` is by how much the forearm was turned further in the frame before, radians: a change past half a turn goes on.
-pub(super) fn turn_hand(arm: &ArmRig, hand: DQuat, turned: &mut f64, pose: &mut LocalPose) {
+pub(in crate::synthesis) fn turn_hand(arm: &ArmRig, hand: DQuat, turned: &mut f64, pose: &mut LocalPose) {
     let twist = |q| twist_angle(q, arm.rest.fore());
     *turned = unwrap_near(*turned, twist(hand) - twist(pose.rotation(arm.hand)));
     pose.set(arm.hand, hand);

@@ -10,13 +10,14 @@ use crate::notation::parse::words::{is_one_of, is_word};
 use crate::notation::suggest::nearest;
 use crate::notation::syntax::Operator;
 use crate::phonology::Hand;
+use crate::phonology::recombination::{ManualChannel, Taken};
 use unicode_normalization::UnicodeNormalization;
 
 /// The most performances of one sign.
 const MOST_PERFORMANCES: u8 = 20;
 
 /// What stands before brackets.
-const CALLS: [&str; 4] = ["IX", "wrist", "fs", "weak"];
+const CALLS: [&str; 5] = ["IX", "wrist", "fs", "take", "weak"];
 
 /// Whether a name means something else in a gloss line, so that as a gloss it stands in quotes.
 pub(crate) fn is_reserved(name: &str) -> bool {
@@ -86,6 +87,7 @@ fn head<'a>(input: Tokens<'a>) -> Parsed<'a, Head> {
             must(site::in_brackets(open)).map(|(rest, site)| (rest, Head::Wrist(site)))
         }
         Kind::Word if is_word(input, "fs") => spelled(input),
+        Kind::Word if is_word(input, "take") => taken(input),
         Kind::Word => gloss(input, token.text.to_owned()),
         Kind::Open | Kind::Close | Kind::Comma | Kind::Equals | Kind::Mark(_) => no_sign(input),
     }
@@ -114,7 +116,7 @@ fn gloss<'a>(input: Tokens<'a>, name: String) -> Parsed<'a, Head> {
                 .hint(format!(
                     "a place stands after `@`: `{name}@(0.3,1.2,0.4)`; changes in square brackets: `{name}[big]`"
                 ))
-                .hint("brackets follow IX, wrist, fs and weak"),
+                .hint("brackets follow IX, wrist, fs, take and weak"),
         });
     }
     Ok((rest, Head::Gloss(name.trim().nfc().collect())))
@@ -155,13 +157,63 @@ fn spelled<'a>(input: Tokens<'a>) -> Parsed<'a, Head> {
     Ok((rest.skip(), Head::Spelled(word)))
 }
 
+/// `take(father_3)`, `take(father_3, configuration eight_2)`: takes of a corpus by their names.
+fn taken<'a>(input: Tokens<'a>) -> Parsed<'a, Head> {
+    const HINT: &str = "write `take(father_3)`, or with another take's fingers `take(father_3, configuration eight_2)`";
+    let open = opened(input, "which take of the corpus?", HINT)?.0;
+    let (mut rest, take) = take_name(open, open.skip(), HINT)?;
+    let mut channels: Vec<(ManualChannel, String)> = Vec::new();
+    while rest.is(Kind::Comma) {
+        let at = rest.skip();
+        let Some(channel) = ManualChannel::ALL.into_iter().find(|channel| is_word(at, channel.name())) else {
+            return told(
+                Diagnostic::fault(at.span(), "what comes from another take?")
+                    .label("expected configuration, orientation or placement")
+                    .hint(HINT),
+            );
+        };
+        if channels.iter().any(|(taken, _)| *taken == channel) {
+            return told(
+                Diagnostic::fault(at.span(), format!("the {} comes from one take only", channel.name()))
+                    .label("said again"),
+            );
+        }
+        let (after, take) = take_name(open, at.skip(), HINT)?;
+        channels.push((channel, take));
+        rest = after;
+    }
+    if !rest.is(Kind::Close) {
+        return unclosed(open, rest, HINT);
+    }
+    Ok((rest.skip(), Head::Taken(Taken { take, channels })))
+}
+
+fn take_name<'a>(open: Tokens<'a>, at: Tokens<'a>, hint: &str) -> Parsed<'a, String> {
+    let name = at.first().and_then(|token| match token.kind {
+        Kind::Text => Some(unquote(token.text)),
+        Kind::Word => Some(token.text.to_owned()),
+        Kind::Open | Kind::Close | Kind::Comma | Kind::Equals | Kind::Mark(_) => None,
+    });
+    match name.map(|name| name.trim().nfc().collect::<String>()) {
+        Some(name) if !name.is_empty() => Ok((at.skip(), name)),
+        Some(_) => told(Diagnostic::fault(at.span(), "the name of this take is empty").label("here").hint(hint)),
+        None if at.first().is_none() => unclosed(open, at, hint),
+        None => told(
+            Diagnostic::fault(at.span(), "the name of a take is missing")
+                .label("expected a name")
+                .hint("a name with marks stands in quotes: `take(\"a.b\")`"),
+        ),
+    }
+}
+
 /// What cannot begin an item.
 fn no_sign<'a, T>(input: Tokens<'a>) -> Parsed<'a, T> {
     let Some(token) = input.first() else { return expected(input, "a sign") };
     let fault = |message: &str| Diagnostic::fault(token.span, message).label("here");
     told(match token.kind {
-        Kind::Open => fault("a bracket that belongs to nothing")
-            .hint("brackets follow IX, wrist, fs and weak without a space; items are grouped by `{brows raised: …}`"),
+        Kind::Open => fault("a bracket that belongs to nothing").hint(
+            "brackets follow IX, wrist, fs, take and weak without a space; items are grouped by `{brows raised: …}`",
+        ),
         Kind::Close | Kind::Mark(']' | '>') => fault("this bracket was never opened"),
         Kind::Mark('@' | '+' | '[') => fault(&format!("`{}` belongs to a sign", token.text))
             .hint("it stands behind the gloss without a space: `BOL@left`"),
@@ -234,7 +286,7 @@ fn placed<'a>(signed: &Signed, at: Tokens<'a>) -> Parsed<'a, Site> {
         (Head::Pointing(_) | Head::Wrist(_), None) => {
             Diagnostic::fault(at.span_to(rest), "it is said already where this points").label("here")
         }
-        (Head::Gloss(_) | Head::Spelled(_), None) => return Ok((rest, site)),
+        (Head::Gloss(_) | Head::Spelled(_) | Head::Taken(_), None) => return Ok((rest, site)),
     };
     told(fault)
 }

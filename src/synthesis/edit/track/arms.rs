@@ -82,7 +82,7 @@ fn in_mirror(label: &str) -> String {
 }
 
 /// The right hand's tiers, the left hand's, the others, each in their order.
-fn in_order(mut tiers: Vec<Tier>) -> Vec<Tier> {
+pub(in crate::synthesis) fn in_order(mut tiers: Vec<Tier>) -> Vec<Tier> {
     tiers.sort_by_key(|tier| match side_of(tier) {
         Some(Side::Right) => 0,
         Some(Side::Left) => 1,

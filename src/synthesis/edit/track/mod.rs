@@ -14,6 +14,7 @@ mod arms;
 mod channels;
 mod time;
 
+pub(in crate::synthesis) use arms::in_order;
 pub use arms::{mirrored, on_each_hand, reflected, swapped};
 pub use channels::{Relocated, relocated_by, relocated_to, with_configuration};
 pub use time::{at_speed, inverted, repeated};
