@@ -10,3 +10,5 @@ pub mod glb;
 pub mod html;
 pub mod profile_plot;
 pub mod svg;
+pub mod text;
+mod told;
