@@ -306,7 +306,7 @@ fn each_mistake_has_its_message() {
 }
 
 /// The BVH files below a folder, in order of their paths.
-fn files(folder: &std::path::Path) -> Vec<std::path::PathBuf> {
+pub fn files(folder: &std::path::Path) -> Vec<std::path::PathBuf> {
     let mut found = Vec::new();
     for entry in std::fs::read_dir(folder).unwrap() {
         let path = entry.unwrap().path();
@@ -476,7 +476,7 @@ fn curves_have_no_jumps() {
 }
 
 /// Fails where `bvh_anim` reads other joints or, beyond `f32`, other numbers.
-fn agrees_with_bvh_anim(name: &str, bytes: &[u8], ours: &Bvh) {
+pub fn agrees_with_bvh_anim(name: &str, bytes: &[u8], ours: &Bvh) {
     let theirs = bvh_anim::from_bytes(bytes).unwrap_or_else(|e| panic!("{name}: {e}"));
     let joints: Vec<_> = theirs.joints().map(|j| j.data().clone()).collect();
     assert_eq!(joints.len(), ours.joints().len(), "{name}");
@@ -517,7 +517,7 @@ fn sign_text() -> String {
 
 /// Whether `bvh_anim` can be asked: a leaf without End Site it drops, of several End Sites it makes joints, and a row
 /// count that differs (which is a warning of ours) it refuses.
-fn can_be_compared(reading: &bvh::Reading) -> bool {
+pub fn can_be_compared(reading: &bvh::Reading) -> bool {
     let joints = reading.bvh.joints();
     let is_leaf = |at: usize| joints.iter().all(|j| j.parent != Some(at));
     let one_end = |(at, joint): (usize, &Joint)| joint.end_sites.len() == usize::from(is_leaf(at));

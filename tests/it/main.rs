@@ -16,6 +16,7 @@ mod cli_profile;
 mod docs_notation;
 mod examples;
 mod format_bvh;
+mod format_bvh_mutated;
 mod format_eaf;
 mod format_eaf_read;
 mod format_glb_write;
