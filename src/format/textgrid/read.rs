@@ -105,7 +105,7 @@ impl<'a> Reader<'a> {
         let (count, said) = self.count("how many intervals or points the tier has")?;
         let mut values: Vec<(Seconds, Seconds, String)> = Vec::new();
         for done in 0..count {
-            let (start, span) = self.number("a time").map_err(|fault| self.miscounted(fault, said, count, done))?;
+            let (start, span) = self.number("a time").map_err(|fault| miscounted(*fault, said, count, done))?;
             let end = if kind == Kind::Points { start } else { self.number("an end")?.0 };
             let (label, _) = self.text("a text")?;
             if end < start {
@@ -123,12 +123,6 @@ impl<'a> Reader<'a> {
         let mut tier = Tier::new(name);
         values.into_iter().for_each(|(start, end, label)| tier.push(start, end, label, ""));
         Ok(GridTier { tier, kind })
-    }
-
-    /// The same fault with the count that may be the mistake.
-    fn miscounted(&self, fault: Stop, said: Span, count: u64, done: u64) -> Stop {
-        let related = format!("{count} are said here, and {done} were read");
-        Box::new(fault.related(said, related))
     }
 
     fn extent(&mut self, of: &str) -> Result<(Seconds, Seconds), Stop> {
@@ -178,4 +172,9 @@ impl<'a> Reader<'a> {
 
 fn expected(span: Span, what: &str) -> Stop {
     Diagnostic::fault(span, "this comes at the wrong place").label(format!("expected {what}")).into()
+}
+
+/// The same fault with the count that may be the mistake.
+fn miscounted(fault: Diagnostic, said: Span, count: u64, done: u64) -> Stop {
+    fault.related(said, format!("{count} are said here, and {done} were read")).into()
 }
