@@ -4,9 +4,15 @@
 //! return bytes or text. Nothing here opens a file or knows what a sign is.
 
 pub mod bvh;
+mod cells;
 pub mod csv;
 pub mod eaf;
 pub mod glb;
 pub mod html;
+pub mod markers;
 pub mod profile_plot;
+pub mod segments;
 pub mod svg;
+pub mod text;
+pub mod textgrid;
+mod told;

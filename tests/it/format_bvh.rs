@@ -171,6 +171,31 @@ proptest! {
         }
     }
 
+    /// A row of many: most numbers have others after them, which the fast way needs.
+    #[test]
+    fn rows_of_numbers_are_the_standard_librarys(
+        numbers in vec((prop_oneof![
+            4 => "-?[0-9]{1,4}[.][0-9]{1,12}",
+            2 => "-?(0|00|[0-9]{1,17}|[.][0-9]{1,15}|[0-9]{1,15}[.])",
+            1 => "[-+]?([0-9]{1,22}[.]?[0-9]{0,22}|[.][0-9]{1,20})([eE][-+]?[0-9]{1,3})?",
+        ].prop_filter("within range", |n| n.parse::<f64>().unwrap().is_finite()), "[ \\t]{1,2}"), 12),
+        end in prop_oneof![Just("\n"), Just("\r\n"), Just(" \n"), Just("")],
+    ) {
+        let channels = "CHANNELS 6 Xposition Yposition Zposition Zrotation Xrotation Yrotation";
+        let head = format!(
+            "HIERARCHY\nROOT A {{ OFFSET 0 0 0\n{channels}\nJOINT B {{ OFFSET 0 0 0\n{channels}\n}} }}\nMOTION\nFrames: 1\nFrame Time: 1e-2\n"
+        );
+        let row: String = numbers.iter().map(|(number, blank)| format!("{number}{blank}")).collect();
+        let row = row.trim_end();
+        let expected: Vec<u64> = numbers.iter().map(|(n, _)| n.parse::<f64>().unwrap().to_bits()).collect();
+        let read = |text: String| -> Vec<u64> { plain(&text).rows().next().unwrap().iter().map(|v| v.to_bits()).collect() };
+        prop_assert_eq!(read(format!("{head}{row}{end}")), expected.clone());
+        // A byte that is no blank makes the row another, wherever it stands.
+        let at = row.len() / 2;
+        let spoilt = format!("{head}{}x{}{end}", &row[..at], &row[at..]);
+        prop_assert!(bvh::read(spoilt.as_bytes()).is_err());
+    }
+
     #[test]
     fn a_file_with_mistakes_is_read_or_refused(
         bvh in data(),
@@ -281,7 +306,7 @@ fn each_mistake_has_its_message() {
 }
 
 /// The BVH files below a folder, in order of their paths.
-fn files(folder: &std::path::Path) -> Vec<std::path::PathBuf> {
+pub fn files(folder: &std::path::Path) -> Vec<std::path::PathBuf> {
     let mut found = Vec::new();
     for entry in std::fs::read_dir(folder).unwrap() {
         let path = entry.unwrap().path();
@@ -451,7 +476,7 @@ fn curves_have_no_jumps() {
 }
 
 /// Fails where `bvh_anim` reads other joints or, beyond `f32`, other numbers.
-fn agrees_with_bvh_anim(name: &str, bytes: &[u8], ours: &Bvh) {
+pub fn agrees_with_bvh_anim(name: &str, bytes: &[u8], ours: &Bvh) {
     let theirs = bvh_anim::from_bytes(bytes).unwrap_or_else(|e| panic!("{name}: {e}"));
     let joints: Vec<_> = theirs.joints().map(|j| j.data().clone()).collect();
     assert_eq!(joints.len(), ours.joints().len(), "{name}");
@@ -492,7 +517,7 @@ fn sign_text() -> String {
 
 /// Whether `bvh_anim` can be asked: a leaf without End Site it drops, of several End Sites it makes joints, and a row
 /// count that differs (which is a warning of ours) it refuses.
-fn can_be_compared(reading: &bvh::Reading) -> bool {
+pub fn can_be_compared(reading: &bvh::Reading) -> bool {
     let joints = reading.bvh.joints();
     let is_leaf = |at: usize| joints.iter().all(|j| j.parent != Some(at));
     let one_end = |(at, joint): (usize, &Joint)| joint.end_sites.len() == usize::from(is_leaf(at));

@@ -3,6 +3,7 @@
 use super::data::{Channel, Joint};
 use super::number::number;
 use super::words::{Word, Words};
+pub(super) use crate::diagnostics::xml::short;
 use crate::diagnostics::{Diagnostic, Span};
 use glam::DVec3;
 use std::collections::HashMap;
@@ -278,15 +279,6 @@ impl Hierarchy {
 /// A fault with its expectation at the caret.
 pub(super) fn stop(span: Span, message: impl Into<String>, label: impl Into<String>) -> Diagnostic {
     Diagnostic::fault(span, message).label(label)
-}
-
-/// A word cut to what fits a message.
-pub(super) fn short(word: &str) -> String {
-    const LONGEST: usize = 40;
-    match word.char_indices().nth(LONGEST) {
-        Some((at, _)) => format!("{}…", &word[..at]),
-        None => word.to_owned(),
-    }
 }
 
 /// A word that is a finite number, all of it; else what is wrong with it.

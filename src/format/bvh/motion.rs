@@ -1,7 +1,7 @@
 //! The second half of a BVH file: a count, a frame time, and a line of numbers a frame.
 
 use super::hierarchy::{finite, short, stop};
-use super::number::number;
+use super::number::{few_digits, number};
 use super::words::{Word, Words, is_blank};
 use crate::diagnostics::{Diagnostic, Span};
 use crate::time::Seconds;
@@ -145,6 +145,17 @@ fn row(bytes: &[u8], mut at: usize, channels: usize, values: &mut Vec<f64>) -> O
     for _ in 0..channels {
         while bytes.get(at).is_some_and(|b| is_blank(*b)) {
             at += 1;
+        }
+        // Most angles of a hand are nothing.
+        if let Some(b"0 ") = bytes.get(at..at + 2) {
+            values.push(0.0);
+            at += 1;
+            continue;
+        }
+        if let Some((value, end)) = few_digits(bytes, at) {
+            values.push(value);
+            at = end;
+            continue;
         }
         match number(&bytes[at..]) {
             Some((value, length)) if value.is_finite() && ends_word(bytes.get(at + length)) => {

@@ -62,8 +62,10 @@ pub fn source_of_bytes(name: &str, bytes: &[u8]) -> Source {
 }
 
 fn decode(bytes: &[u8]) -> (Cow<'_, str>, Vec<Diagnostic>) {
-    let text = String::from_utf8_lossy(bytes);
-    let Err(error) = std::str::from_utf8(bytes) else { return (text, vec![]) };
+    let error = match std::str::from_utf8(bytes) {
+        Ok(text) => return (text.into(), vec![]),
+        Err(error) => error,
+    };
     let at = Span::new(error.valid_up_to(), error.valid_up_to() + 3);
     let warning = Diagnostic::warning(at, "a byte is not UTF-8").label("read as \u{fffd}");
     let hint = if bytes.starts_with(&[0xff, 0xfe]) || bytes.starts_with(&[0xfe, 0xff]) {
@@ -71,7 +73,7 @@ fn decode(bytes: &[u8]) -> (Cow<'_, str>, Vec<Diagnostic>) {
     } else {
         "joint names may be in another encoding; save the file as UTF-8"
     };
-    (text, vec![warning.hint(hint)])
+    (String::from_utf8_lossy(bytes), vec![warning.hint(hint)])
 }
 
 fn has_fault(notes: &[Diagnostic]) -> bool {

@@ -1,8 +1,9 @@
-//! ELAN's annotation files (EAF 3.0): the tiers, to be looked at, searched and corrected where linguists work.
+//! ELAN's annotation files (EAF): tiers, to be looked at, searched and corrected where linguists work. [`read()`] takes
+//! versions 2.3 to 3.0, with all that they say about tiers; [`write()`] makes 3.0.
 //!
 //! Source: the schema EAFv3.0.xsd (Max Planck Institute for Psycholinguistics, December 2016), and how ELAN reads it.
 //!
-//! # Conventions
+//! # Conventions of what is written
 //! - Whole milliseconds, rounded once; each annotation has time slots of its own. One value at a time: where two
 //!   overlap, the earlier ends as the later begins; an instant lasts 1 ms.
 //! - Tiers of a hand whose values lie within its glosses are children of `RH Gloss` or `LH Gloss` ("Included In").
@@ -13,8 +14,15 @@
 //! - The date is always the same: the library reads no clock, and equal tracks give equal files. ELAN sets it on saving.
 //!
 //! Control characters, which XML cannot hold, become U+FFFD.
+//!
+//! # What is refused
+//! Document types, names that nobody defines or that two define, references in a circle, annotations that end before they
+//! begin: each with line and column. Memory is in proportion to the text; depth of references costs no stack.
 
+mod data;
+pub mod ecv;
 mod layout;
+mod read;
 
 use crate::diagnostics::Error;
 use crate::tier::Tier;
@@ -22,6 +30,9 @@ use layout::{Layout, Row, clean, layout};
 use quick_xml::Writer;
 use quick_xml::events::{BytesDecl, BytesText, Event};
 use std::io;
+
+pub use data::{AnnotatedTier, ControlledVocabulary, Eaf, Entry, EntryValue, Language, Media, Stereotype, TierType};
+pub use read::{Reading, read, read_with};
 
 /// What a file says besides its tiers.
 #[derive(Debug, Clone, PartialEq, Default)]

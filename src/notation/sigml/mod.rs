@@ -14,7 +14,6 @@
 //! signs needs them, and some files that have them are made to exhaust memory.
 
 mod read;
-mod scan;
 mod words;
 mod write;
 

@@ -9,9 +9,9 @@ mod posture;
 mod reader;
 mod shape;
 mod tokens;
-mod xml;
 
-use super::{scan, words};
+use super::{MOST_BYTES, MOST_DEEP, words};
+use crate::diagnostics::xml::Xml;
 use crate::diagnostics::{Diagnostic, Source};
 use crate::notation::hamnosys::syntax::{Ignored, Sign};
 use reader::{Node, Reader, attributes, elements, short};
@@ -31,12 +31,10 @@ use reader::{Node, Reader, attributes, elements, short};
 /// ```
 pub fn read(source: &Source) -> (Vec<Sign>, Vec<Diagnostic>) {
     let text = source.text.as_str();
-    if let Some(fault) = scan::refused(text) {
-        return (Vec::new(), vec![fault]);
-    }
-    let document = match roxmltree::Document::parse(text) {
+    let format = Xml { name: "SiGML", most_bytes: MOST_BYTES, most_deep: MOST_DEEP };
+    let document = match format.parse(text) {
         Ok(document) => document,
-        Err(error) => return (Vec::new(), vec![xml::fault(&error, text)]),
+        Err(fault) => return (Vec::new(), vec![fault]),
     };
     let mut reader = Reader::new();
     let mut signs = Vec::new();

@@ -1,6 +1,7 @@
 //! What all parts of the reader share: attributes with their places, and what is said of them.
 
 use super::words::{Exactness, TRUTH, Words};
+pub(super) use crate::diagnostics::xml::{short, tag_span};
 use crate::diagnostics::{Diagnostic, Severity, Span};
 use crate::notation::suggest::nearest;
 
@@ -35,23 +36,6 @@ pub(super) fn attributes<'a>(node: Node<'a>) -> impl Iterator<Item = Attr<'a>> {
 /// The elements within an element.
 pub(super) fn elements<'a>(node: Node<'a>) -> impl Iterator<Item = Node<'a>> {
     node.children().filter(Node::is_element)
-}
-
-/// Where the name of an element stands.
-pub(super) fn tag_span(node: Node<'_>) -> Span {
-    let range = node.range();
-    let text = &node.document().input_text()[range.clone()];
-    let end = text.find([' ', '\t', '\r', '\n', '/', '>']).unwrap_or(text.len());
-    Span::new(range.start, range.start + end)
-}
-
-/// A text for a message: cut where it is long.
-pub(super) fn short(text: &str) -> String {
-    const LONGEST: usize = 40;
-    match text.char_indices().nth(LONGEST) {
-        Some((end, _)) => format!("{}…", &text[..end]),
-        None => text.to_owned(),
-    }
 }
 
 /// The sign that is read.

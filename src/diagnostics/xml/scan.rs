@@ -3,7 +3,7 @@
 //! The parser of XML takes its time by elements, but keeps names of namespaces for each element and compares each
 //! attribute with those before it; so both are counted here first, in one pass over the text.
 
-use super::{MOST_BYTES, MOST_DEEP};
+use super::Xml;
 use crate::diagnostics::{Diagnostic, Span};
 
 /// Attributes of one element.
@@ -12,9 +12,10 @@ const MOST_ATTRIBUTES: usize = 256;
 const MOST_NAMESPACES: usize = 64;
 
 /// The first thing that is refused.
-pub(super) fn refused(text: &str) -> Option<Diagnostic> {
-    if text.len() > MOST_BYTES {
-        let told = Diagnostic::fault(Span::new(0, 0), format!("this file is larger than {} MiB", MOST_BYTES >> 20));
+pub(super) fn refused(text: &str, xml: &Xml) -> Option<Diagnostic> {
+    if text.len() > xml.most_bytes {
+        let message = format!("this file is larger than {} MiB", xml.most_bytes >> 20);
+        let told = Diagnostic::fault(Span::new(0, 0), message);
         return Some(told.label("starts here").hint("split it into several files"));
     }
     let mut open: Vec<usize> = Vec::new();
@@ -41,8 +42,8 @@ pub(super) fn refused(text: &str) -> Option<Diagnostic> {
             if namespaces + tag.namespaces > MOST_NAMESPACES {
                 return Some(too_many(start, &format!("more than {MOST_NAMESPACES} namespaces")));
             }
-            if open.len() >= MOST_DEEP {
-                return Some(too_deep(start));
+            if open.len() >= xml.most_deep {
+                return Some(too_deep(start, xml.most_deep));
             }
             if tag.kind == Kind::Open {
                 open.push(tag.namespaces);
@@ -69,7 +70,7 @@ fn document_type(start: usize, rest: &str) -> Diagnostic {
     let end = rest.find(['[', '>', '\n']).unwrap_or(rest.len());
     Diagnostic::fault(Span::new(start, start + end), "a document type is not read here")
         .label("a document type or an entity of one's own")
-        .hint("take this declaration out: the signs do not need it")
+        .hint("take this declaration out: nothing here needs it")
         .hint("of entities, `&lt;`, `&gt;`, `&amp;`, `&quot;` and `&apos;` are known, and characters by number (`&#233;`)")
 }
 
@@ -77,8 +78,8 @@ fn too_many(start: usize, what: &str) -> Diagnostic {
     Diagnostic::fault(Span::new(start, start + 1), format!("this element has {what}")).label("here")
 }
 
-fn too_deep(start: usize) -> Diagnostic {
-    Diagnostic::fault(Span::new(start, start + 1), format!("more than {MOST_DEEP} elements stand within each other"))
+fn too_deep(start: usize, most: usize) -> Diagnostic {
+    Diagnostic::fault(Span::new(start, start + 1), format!("more than {most} elements stand within each other"))
         .label("the one too deep")
         .hint("is a closing tag missing somewhere before?")
 }

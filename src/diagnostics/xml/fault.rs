@@ -4,18 +4,19 @@ use crate::diagnostics::{Diagnostic, Span};
 use roxmltree::{Error, TextPos};
 
 /// What the parser of XML says, with its place.
-pub(super) fn fault(error: &Error, text: &str) -> Diagnostic {
+pub(super) fn fault(error: &Error, text: &str, name: &str) -> Diagnostic {
     let at = match error {
-        Error::UnclosedRootNode | Error::NoRootNode => text.trim_end().len(),
+        Error::UnclosedRootNode | Error::NoRootNode | Error::UnexpectedEndOfStream => text.trim_end().len(),
         error => offset(text, error.pos()),
     };
     let end = text[at..].chars().next().map_or(at, |c| at + c.len_utf8());
     let told = |message: &str| Diagnostic::fault(Span::new(at, end), message.to_owned());
     match error {
-        Error::NoRootNode => told("there is no SiGML in this file").label("the end of the file"),
+        Error::NoRootNode => told(&format!("there is no {name} in this file")).label("the end of the file"),
         Error::UnclosedRootNode => {
             told("the file ends before its first element is closed").label("the end of the file")
         }
+        Error::UnexpectedEndOfStream => told("the file ends in the middle of an element").label("the end of the file"),
         Error::UnexpectedCloseTag(open, closed, _) => {
             told(&format!("`</{}>` closes `<{}>`", super::short(closed), super::short(open)))
                 .label(format!("expected `</{}>`", super::short(open)))
@@ -29,9 +30,9 @@ pub(super) fn fault(error: &Error, text: &str) -> Diagnostic {
         Error::MalformedEntityReference(_) => {
             told("an `&` begins an entity that does not end").label("here").hint("an `&` itself is written `&amp;`")
         }
-        Error::UnknownNamespace(name, _) => told(&format!("the prefix `{}:` was not declared", super::short(name)))
+        Error::UnknownNamespace(prefix, _) => told(&format!("the prefix `{}:` was not declared", super::short(prefix)))
             .label("here")
-            .hint("elements of SiGML need no prefix"),
+            .hint(format!("elements of {name} need no prefix")),
         Error::InvalidAttributeValue(_) => told("a value has a `<`")
             .label("here")
             .hint("is its closing quotation mark missing? a `<` is written `&lt;`"),
