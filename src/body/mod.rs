@@ -7,6 +7,7 @@ pub mod hand_skin;
 mod landmark_table;
 pub mod landmarks;
 pub mod reflection;
+pub mod retarget;
 pub mod signer;
 pub mod skin;
 pub mod solid;
