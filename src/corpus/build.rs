@@ -6,7 +6,7 @@
 use super::cache::disk::OnDisk;
 use super::cache::{Cache, Entry, Frames, Head, SourceFile, hash};
 use super::files::{Files, Finding, Stamp};
-use super::manifest::{Listing, Take};
+use super::manifest::{Listing, Rig, Take};
 use super::motion::{self, captured};
 use super::tiers::{Window, annotations_of, tiers};
 use crate::body::retarget::{Options, retarget};
@@ -161,14 +161,17 @@ impl<'a> Builder<'a> {
         same.then(|| SourceFile { stamp, ..then.clone() })
     }
 
-    /// All that is said of how a motion is to be taken.
+    /// All that is said of how a motion is to be taken: of its skeleton, or of all of them where the file's joints choose.
     fn motion_recipe(&self, take: &Take) -> u64 {
-        let rig = take.rig.and_then(|at| self.listing.manifest.skeletons.get(at)).map(|rig| {
+        let rigs = &self.listing.manifest.skeletons;
+        let rigs = take.rig.map_or(&rigs[..], |at| &rigs[at..=at]);
+        let rig = |rig: &Rig| {
             let joints: Vec<_> = rig.joints.iter().map(|(ours, theirs)| (&ours.value, &theirs.value)).collect();
             let (unit, axes) = (rig.unit.map(|unit| unit.value), (rig.up.map(|a| a.value), rig.front.map(|a| a.value)));
             format!("{unit:?} {axes:?} {} {:?} {joints:?}", rig.skip_frames.value, rig.mode.value)
-        });
-        hash(format!("{rig:?} {:?} {:?}", take.span, take.hand).as_bytes())
+        };
+        let rigs: Vec<String> = rigs.iter().map(rig).collect();
+        hash(format!("{rigs:?} {:?} {:?}", take.span, take.hand).as_bytes())
     }
 
     /// All that is said of how its annotations are to be taken, what it says of the motion included.
@@ -222,8 +225,7 @@ impl<'a> Builder<'a> {
         let manifest = &self.listing.manifest;
         let captured = captured(bytes, take, manifest, &self.listing.source)?;
         made.findings = captured.findings;
-        let mode = take.rig.and_then(|at| manifest.skeletons.get(at)).map(|rig| rig.mode.value);
-        let options = Options { mode: mode.unwrap_or_default(), ..Options::default() };
+        let options = Options { mode: captured.mode, ..Options::default() };
         let done = retarget(&captured.clip, &captured.joints, captured.axes, self.signer, &options).map_err(fault)?;
         let told = |text: &String| take.place.warning(format!("{}: {text}", take.name));
         made.findings.extend(done.report.warnings.iter().map(told));

@@ -6,9 +6,11 @@
 
 pub mod build;
 pub mod cache;
+pub mod examine;
 pub mod files;
 pub mod library;
 pub mod manifest;
 pub mod motion;
+pub mod propose;
 pub mod segment;
 pub mod tiers;

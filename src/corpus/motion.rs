@@ -3,13 +3,13 @@
 use super::files::{Finding, Place};
 use super::manifest::{Manifest, Rig, Take};
 use crate::body::retarget::names::{Recognised, recognise};
-use crate::body::retarget::{Axes, propose_axes};
+use crate::body::retarget::{Axes, Mode, propose_axes};
 use crate::diagnostics::{Diagnostic, Source};
 use crate::format::bvh::{self, Bvh, ClipOptions, Roots};
-use crate::motion::clip::Clip;
+use crate::motion::clip::{Clip, Frame};
 use crate::time::Seconds;
-use glam::DVec3;
-use std::collections::BTreeMap;
+use glam::{DQuat, DVec3};
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 use std::sync::Arc;
 
@@ -26,6 +26,8 @@ pub struct Captured {
     pub joints: BTreeMap<String, String>,
     /// Where up and front are.
     pub axes: Axes,
+    /// What of its motion is kept.
+    pub mode: Mode,
     /// The size of the body, or of the hand, in metres.
     pub size: Option<Size>,
     /// What is odd about the file.
@@ -119,10 +121,10 @@ pub(super) fn located(path: &Path, bytes: &[u8], diagnostics: Vec<Diagnostic>) -
 /// # Errors
 /// The file's own faults; no joint that is known; a unit that cannot be told; frames that leave nothing to use.
 pub fn captured(bytes: &[u8], take: &Take, manifest: &Manifest, text: &Arc<Source>) -> Result<Captured, Vec<Finding>> {
-    let rig = take.rig.and_then(|at| manifest.skeletons.get(at));
     let reading = bvh::read(bytes).map_err(|faults| located(&take.motion, bytes, faults))?;
     let mut findings = located(&take.motion, bytes, reading.warnings);
     let file = reading.bvh;
+    let rig = rig_of(&file, take, manifest);
     let joints = known_joints(&file, take, rig, text, &mut findings).map_err(|fault| vec![fault])?;
     let metres = match rig.and_then(|rig| rig.unit) {
         Some(unit) => unit.value.0,
@@ -144,7 +146,41 @@ pub fn captured(bytes: &[u8], take: &Take, manifest: &Manifest, text: &Arc<Sourc
     };
     let file_duration = whole.duration();
     let (clip, begins) = cut(&whole, take, rig, &mut findings).map_err(|fault| vec![fault])?;
-    Ok(Captured { clip, begins, file_duration, size: size(&file, &joints, metres), joints, axes, findings })
+    let (size, mode) = (size(&file, &joints, metres), rig.map(|rig| rig.mode.value).unwrap_or_default());
+    Ok(Captured { clip, begins, file_duration, size, joints, axes, mode, findings })
+}
+
+/// The skeleton of a recording: the one that is named, else of those whose joints the file has all, the one with the most.
+pub fn rig_of<'m>(file: &Bvh, take: &Take, manifest: &'m Manifest) -> Option<&'m Rig> {
+    if let Some(rig) = take.rig.and_then(|at| manifest.skeletons.get(at)) {
+        return Some(rig);
+    }
+    let names: BTreeSet<&str> = file.joints().iter().map(|joint| joint.name.as_str()).collect();
+    let has_all = |rig: &&Rig| rig.joints.iter().all(|(_, theirs)| names.contains(theirs.value.as_str()));
+    let fitting = manifest.skeletons.iter().filter(|rig| !rig.joints.is_empty()).filter(has_all);
+    // Of equals the first, as people read.
+    fitting.fold(None, |best: Option<&Rig>, rig| match best {
+        Some(best) if best.joints.len() >= rig.joints.len() => Some(best),
+        _ => Some(rig),
+    })
+}
+
+/// Whether the first frame is no motion: nearly all joints stand as at rest, and the next frame is far from there. Some
+/// programs put such a T-pose in front.
+pub fn begins_at_rest(clip: &Clip) -> bool {
+    const RESTS: f64 = 0.5 * std::f64::consts::PI / 180.0;
+    const MOST_JOINTS: f64 = 0.65;
+    const FEWER: f64 = 0.2;
+    const FAR: f64 = 5.0 * std::f64::consts::PI / 180.0;
+    let [first, second, ..] = clip.frames() else { return false };
+    let joints = clip.skeleton().len() as f64;
+    let resting = |frame: &Frame| {
+        let rests = frame.pose.rotations.iter().filter(|q| q.angle_between(DQuat::IDENTITY) < RESTS);
+        rests.count() as f64 / joints
+    };
+    let pairs = first.pose.rotations.iter().zip(&second.pose.rotations);
+    let way = pairs.map(|(a, b)| a.angle_between(*b)).sum::<f64>() / joints;
+    resting(first) >= MOST_JOINTS && resting(first) - resting(second) >= FEWER && way > FAR
 }
 
 /// The joints that the file has of those that the skeleton names; the others are told.

@@ -20,6 +20,7 @@ mod write;
 pub mod yaml;
 
 pub use read::read;
+pub(in crate::corpus) use takes::Rows;
 pub use takes::{Listing, Take, listing};
 
 use crate::body::retarget::{Axis6, Mode};
@@ -61,7 +62,8 @@ pub struct Manifest {
 /// What is said of a recording, or of all of them.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Details {
-    /// The name of its skeleton; where there is none, joints are known by their names.
+    /// The name of its skeleton. Where none is named, it is the one whose joints the file has; else joints are known by
+    /// their names.
     pub skeleton: Option<Spanned<String>>,
     /// Who signs.
     pub signer: Option<Spanned<String>>,

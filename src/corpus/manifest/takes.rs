@@ -237,14 +237,14 @@ impl Row<'_> {
 }
 
 /// A table as text, its rows with their places.
-struct Rows {
-    headings: Vec<String>,
-    rows: Vec<(Vec<String>, Span)>,
+pub(in crate::corpus) struct Rows {
+    pub(in crate::corpus) headings: Vec<String>,
+    pub(in crate::corpus) rows: Vec<(Vec<String>, Span)>,
 }
 
 impl Rows {
     /// Tab-separated where the first line has a tab, without quotes; else CSV with commas or semicolons.
-    fn of(text: &str) -> Result<Rows, Error> {
+    pub(in crate::corpus) fn of(text: &str) -> Result<Rows, Error> {
         let skipped = text.len() - text.trim_start_matches('\u{feff}').len();
         let text = &text[skipped..];
         let first = text.lines().next().unwrap_or_default();
