@@ -60,7 +60,8 @@ impl Progress {
             Loudness::Quiet => ProgressBar::hidden(),
             Loudness::Told => ProgressBar::with_draw_target(Some(items as u64), ProgressDrawTarget::stderr()),
         };
-        let style = ProgressStyle::with_template(&format!("{{bar:30}} {{pos}}/{{len}} {what}, {{per_sec}}, {{eta}} left"));
+        let style =
+            ProgressStyle::with_template(&format!("{{bar:30}} {{pos}}/{{len}} {what}, {{per_sec}}, {{eta}} left"));
         Progress(bar.with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar())))
     }
 

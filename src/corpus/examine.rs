@@ -49,7 +49,8 @@ pub fn whole(listing: &Listing, names: &Names) -> Vec<Finding> {
     let manifest = &listing.manifest;
     let place = |span: Span| Place { source: listing.source.clone(), span };
     if listing.takes.is_empty() {
-        findings.push(place(Span::default()).fault("the corpus has no recording").hint("`chereme corpus init` finds them"));
+        findings
+            .push(place(Span::default()).fault("the corpus has no recording").hint("`chereme corpus init` finds them"));
     }
     for rule in &manifest.values {
         let told = |known: &str| {
@@ -68,13 +69,16 @@ pub fn whole(listing: &Listing, names: &Names) -> Vec<Finding> {
         }));
     }
     findings.extend(rigs(&manifest.skeletons, &names.joints, &place));
-    for (what, lacks) in [("licence", without(listing, |take| &take.licence)), ("credit", without(listing, |take| &take.credit))]
+    for (what, lacks) in
+        [("licence", without(listing, |take| &take.licence)), ("credit", without(listing, |take| &take.credit))]
     {
         if let [first, ..] = lacks[..] {
-            let told = first.place.warning(format!("{} of {} recordings have no {what}", lacks.len(), listing.takes.len()));
-            findings.push(told.label(format!("such as `{}`", first.name)).hint(format!(
-                "`{what}:` at the top of corpus.yaml, or under `defaults`, holds for all"
-            )));
+            let told =
+                first.place.warning(format!("{} of {} recordings have no {what}", lacks.len(), listing.takes.len()));
+            findings.push(
+                told.label(format!("such as `{}`", first.name))
+                    .hint(format!("`{what}:` at the top of corpus.yaml, or under `defaults`, holds for all")),
+            );
         }
     }
     findings
@@ -166,7 +170,9 @@ fn odd_motion(take: &Take, captured: &Captured) -> Vec<Finding> {
     }
     match captured.size {
         Some(Size::Body(metres)) if !PERSON_M.contains(&metres) => {
-            findings.push(warning(format!("the body is {metres:.2} m tall or wide")).label("a giant or a dwarf").hint(UNIT));
+            findings.push(
+                warning(format!("the body is {metres:.2} m tall or wide")).label("a giant or a dwarf").hint(UNIT),
+            );
         }
         Some(Size::Hand(metres)) if !HAND_M.contains(&metres) => {
             let told = warning(format!("the hand is {:.1} cm long", metres * 100.0));
@@ -179,7 +185,8 @@ fn odd_motion(take: &Take, captured: &Captured) -> Vec<Finding> {
         let told = warning("the first frame is the rest pose, and no motion".to_owned());
         findings.push(told.hint("`skip_frames: 1` of its skeleton leaves it out"));
     }
-    findings.extend(jumps(captured).into_iter().map(|what| warning(what).label("a fault of the recording, or its unit")));
+    findings
+        .extend(jumps(captured).into_iter().map(|what| warning(what).label("a fault of the recording, or its unit")));
     findings
 }
 
@@ -267,18 +274,24 @@ fn odd_tiers(
 ) -> Vec<Finding> {
     let warning = |what: String| place.warning(format!("{}: {what}", take.name));
     let mut findings = Vec::new();
-    let unmapped: Vec<&str> =
-        tiers.iter().map(|tier| tier.name.as_str()).filter(|name| our_name(&listing.manifest, name).is_none()).collect();
+    let unmapped: Vec<&str> = tiers
+        .iter()
+        .map(|tier| tier.name.as_str())
+        .filter(|name| our_name(&listing.manifest, name).is_none())
+        .collect();
     if !unmapped.is_empty() {
         let told = warning(format!("tiers that are none of ours: {}", unmapped.join(", ")));
         let ours: Vec<String> = our_tiers().collect();
-        findings.push(told.label("left out").hint(format!("`tiers:` says what they are, such as `{}: {}`", unmapped[0], ours[0])));
+        findings.push(
+            told.label("left out").hint(format!("`tiers:` says what they are, such as `{}: {}`", unmapped[0], ours[0])),
+        );
     }
     let ends = tiers.iter().flat_map(|tier| tier.values().iter().map(|value| value.end.0 + take.offset));
     let end = ends.fold(0.0, f64::max);
     if let Some(motion) = motion.filter(|motion| end > motion.file_duration.0 + LONGER_S) {
         let told = warning(format!("the annotation ends at {end:.2} s, after the motion"));
-        findings.push(told.label(format!("the motion ends at {:.2} s", motion.file_duration.0)).hint("look at `offset`"));
+        findings
+            .push(told.label(format!("the motion ends at {:.2} s", motion.file_duration.0)).hint("look at `offset`"));
     }
     let mut told: BTreeSet<(String, String)> = BTreeSet::new();
     for tier in tiers {

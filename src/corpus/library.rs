@@ -105,12 +105,7 @@ impl Building {
 
 /// A cache that still holds as a whole, if there is one. Where only the content of the sources could tell, the cache is
 /// marked as looked at, so that next time their times do.
-pub fn fresh(
-    listing: &Listing,
-    signer: &Signer,
-    files: &dyn Files,
-    folder: &Path,
-) -> Result<Cache, Option<OnDisk>> {
+pub fn fresh(listing: &Listing, signer: &Signer, files: &dyn Files, folder: &Path) -> Result<Cache, Option<OnDisk>> {
     let looked_at = disk::now();
     let Ok(old) = disk::open(folder) else { return Err(None) };
     match Builder::new(listing, signer, files, Some(&old)).freshness() {

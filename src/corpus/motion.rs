@@ -87,7 +87,8 @@ fn size(file: &Bvh, joints: &BTreeMap<String, String>, metres: f64) -> Option<Si
         return hand_length(file, joints).map(|length| Size::Hand(length * metres));
     }
     let rest = file.rest_positions();
-    let tips = file.joints().iter().zip(&rest).flat_map(|(joint, at)| joint.end_sites.iter().map(move |tip| *at + *tip));
+    let tips =
+        file.joints().iter().zip(&rest).flat_map(|(joint, at)| joint.end_sites.iter().map(move |tip| *at + *tip));
     let points = rest.iter().copied().chain(tips);
     let (low, high) =
         points.fold((DVec3::INFINITY, DVec3::NEG_INFINITY), |(low, high), point| (low.min(point), high.max(point)));

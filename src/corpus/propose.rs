@@ -80,7 +80,10 @@ pub fn propose(title: &str, motions: &[Seen], annotations: &[String], tables: &[
     for table in tables {
         let Some(found) = table.takes(motions) else { continue };
         if found.rows.iter().any(|at| listed[*at] || ambiguous(group_of(&rigs, *at))) {
-            notes.push(format!("{} lists motions, but cannot say which skeleton they have: they are listed here", table.path));
+            notes.push(format!(
+                "{} lists motions, but cannot say which skeleton they have: they are listed here",
+                table.path
+            ));
             continue;
         }
         notes.push(format!("{} lists {} of the motions: {}", table.path, found.rows.len(), found.columns_told()));
@@ -99,7 +102,8 @@ pub fn propose(title: &str, motions: &[Seen], annotations: &[String], tables: &[
         notes.push(format!("glosses of {guessed} recordings are guessed from their files' names: look at `gloss`"));
     }
     if let Some(none) = names.get(&false) {
-        notes.push(format!("{none} recordings have no gloss: annotate them, or write `gloss` where a take is one sign"));
+        notes
+            .push(format!("{none} recordings have no gloss: annotate them, or write `gloss` where a take is one sign"));
     }
     notes.push("licence and credit are for you to write".to_owned());
     manifest.skeletons = rigs.into_iter().map(|group| group.rig).collect();

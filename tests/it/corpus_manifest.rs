@@ -31,10 +31,24 @@ fn of<T>(value: T) -> Spanned<T> {
 
 /// Texts that a person or a file system may come up with, YAML's own marks and words among them.
 fn any_text() -> impl Strategy<Value = Spanned<String>> {
-    let words = prop::sample::select(vec!["no", "010", "1e3", "~", "null", "a: b", "# c", "- d", "é \u{2028}x", "*", "'", "\"\\", " x ", "<<"]);
-    prop_oneof![any::<String>(), words.prop_map(str::to_owned), "[a-z]{1,8}(\\.bvh)?"].prop_filter_map("none", |text: String| {
-        (!text.is_empty()).then(|| of(text))
-    })
+    let words = prop::sample::select(vec![
+        "no",
+        "010",
+        "1e3",
+        "~",
+        "null",
+        "a: b",
+        "# c",
+        "- d",
+        "é \u{2028}x",
+        "*",
+        "'",
+        "\"\\",
+        " x ",
+        "<<",
+    ]);
+    prop_oneof![any::<String>(), words.prop_map(str::to_owned), "[a-z]{1,8}(\\.bvh)?"]
+        .prop_filter_map("none", |text: String| (!text.is_empty()).then(|| of(text)))
 }
 
 fn maybe<T: std::fmt::Debug + 'static>(of: impl Strategy<Value = T> + 'static) -> BoxedStrategy<Option<T>> {
@@ -48,8 +62,8 @@ fn details(skeletons: Vec<String>) -> impl Strategy<Value = Details> {
     };
     let side = maybe(prop::sample::select(vec![Side::Left, Side::Right]).prop_map(of));
     let hands = maybe(prop::sample::select(Hands::ALL.to_vec()).prop_map(of));
-    (skeleton, maybe(any_text()), side, hands, maybe(any_text()), maybe(any_text()), maybe((-1e3..1e3).prop_map(of))).prop_map(
-        |(skeleton, signer, dominant, hand, licence, credit, offset)| Details {
+    (skeleton, maybe(any_text()), side, hands, maybe(any_text()), maybe(any_text()), maybe((-1e3..1e3).prop_map(of)))
+        .prop_map(|(skeleton, signer, dominant, hand, licence, credit, offset)| Details {
             skeleton,
             signer,
             dominant,
@@ -57,8 +71,7 @@ fn details(skeletons: Vec<String>) -> impl Strategy<Value = Details> {
             licence,
             credit,
             offset,
-        },
-    )
+        })
 }
 
 fn rigs() -> impl Strategy<Value = Vec<Rig>> {
@@ -69,15 +82,16 @@ fn rigs() -> impl Strategy<Value = Vec<Rig>> {
     let joints = prop::collection::btree_map(any_text().prop_map(|t| t.value), any_text(), 0..4);
     let rig = (unit, axis(), axis(), 0..5u32, mode, joints);
     prop::collection::btree_map(any_text().prop_map(|t| t.value), rig, 0..3).prop_map(|all| {
-        let rig = |(name, (unit, up, front, skip, mode, joints)): (String, (_, _, _, u32, Mode, BTreeMap<String, _>))| Rig {
-            name: of(name),
-            unit,
-            up,
-            front,
-            skip_frames: of(skip),
-            mode: of(mode),
-            joints: joints.into_iter().map(|(ours, theirs)| (of(ours), theirs)).collect(),
-        };
+        let rig =
+            |(name, (unit, up, front, skip, mode, joints)): (String, (_, _, _, u32, Mode, BTreeMap<String, _>))| Rig {
+                name: of(name),
+                unit,
+                up,
+                front,
+                skip_frames: of(skip),
+                mode: of(mode),
+                joints: joints.into_iter().map(|(ours, theirs)| (of(ours), theirs)).collect(),
+            };
         all.into_iter().map(rig).collect()
     })
 }
@@ -100,10 +114,11 @@ fn recordings(skeletons: Vec<String>) -> impl Strategy<Value = Vec<Recording>> {
 }
 
 fn tables(skeletons: Vec<String>) -> impl Strategy<Value = Vec<Table>> {
-    let one = (any_text(), any_text(), maybe(any_text()), details(skeletons)).prop_map(|(table, motion, gloss, details)| {
-        let gloss = gloss.map(|heading| (of(Field::Gloss), heading));
-        Table { table, columns: [(of(Field::Motion), motion)].into_iter().chain(gloss).collect(), details }
-    });
+    let one =
+        (any_text(), any_text(), maybe(any_text()), details(skeletons)).prop_map(|(table, motion, gloss, details)| {
+            let gloss = gloss.map(|heading| (of(Field::Gloss), heading));
+            Table { table, columns: [(of(Field::Motion), motion)].into_iter().chain(gloss).collect(), details }
+        });
     prop::collection::vec(one, 0..3)
 }
 
@@ -113,7 +128,8 @@ fn manifests() -> impl Strategy<Value = Manifest> {
         let tier = prop::sample::select(our_tiers().collect::<Vec<_>>());
         let tiers = prop::collection::btree_map(any_text().prop_map(|t| t.value), tier, 0..3);
         let values = prop::collection::btree_map((0..4usize, any_text().prop_map(|t| t.value)), any_text(), 0..4);
-        let general = (any::<String>(), maybe(any_text()), maybe(any_text()), maybe(any_text()), details(names.clone()));
+        let general =
+            (any::<String>(), maybe(any_text()), maybe(any_text()), maybe(any_text()), details(names.clone()));
         (general, Just(skeletons), tiers, values, recordings(names.clone()), tables(names)).prop_map(
             |((title, language, licence, credit, defaults), skeletons, tiers, values, recordings, takes)| Manifest {
                 title,
@@ -122,7 +138,10 @@ fn manifests() -> impl Strategy<Value = Manifest> {
                 credit,
                 defaults,
                 skeletons,
-                tiers: tiers.into_iter().map(|(theirs, ours)| TierRule { theirs: of(theirs), ours: of(ours) }).collect(),
+                tiers: tiers
+                    .into_iter()
+                    .map(|(theirs, ours)| TierRule { theirs: of(theirs), ours: of(ours) })
+                    .collect(),
                 values: values
                     .into_iter()
                     .map(|((at, theirs), ours)| ValueRule { component: Component::ALL[at], theirs: of(theirs), ours })
@@ -180,14 +199,14 @@ fn all_faults_are_told_at_once_each_at_its_place() {
         "`unit` cannot be `furlong`",
         "corpus.yaml:4:39",
         "`front` cannot be `north`",
-        "corpus.yaml:6:32",
+        "corpus.yaml:6:36",
         "`hand` cannot be `rihgt`",
         "expected [start, end] in seconds",
         "corpus.yaml:7:12",
         "two recordings are called `a`",
         "did you mean `motion`?",
         "a recording needs a field `motion`",
-        "corpus.yaml:7:41",
+        "corpus.yaml:7:39",
         "did you mean `leap`?",
         "`G` cannot be `RH Glos`",
         "did you mean `Configuration`?",
@@ -231,16 +250,25 @@ fn recordings_inherit_and_tables_list_takes() {
     let names: Vec<&str> = listing.takes.iter().map(|take| take.name.as_str()).collect();
     assert_eq!(names, ["one", "x", "y/z", "w"]);
     let [one, x, z, _] = &listing.takes[..] else { panic!("four") };
-    assert_eq!((one.motion.as_path(), one.hand, one.signer.as_deref()), (Path::new("/c/m/one.bvh"), Some(Hands::Both), Some("A")));
+    assert_eq!(
+        (one.motion.as_path(), one.hand, one.signer.as_deref()),
+        (Path::new("/c/m/one.bvh"), Some(Hands::Both), Some("A"))
+    );
     assert_eq!(one.annotations, [PathBuf::from("/c/a.eaf"), PathBuf::from("/c/b.tsv")]);
     assert_eq!((x.motion.as_path(), x.hand, x.rig), (Path::new("/c/t/x.bvh"), Some(Hands::One(Side::Right)), Some(0)));
     assert_eq!((x.gloss.as_deref(), x.signer.as_deref(), x.licence.as_deref()), (Some("no"), Some("B"), Some("CC0")));
     assert_eq!((z.gloss.as_deref(), z.hand, z.rig), (Some("5"), Some(Hands::One(Side::Left)), None));
     let told: Vec<String> = listing.findings.iter().map(|f| render(&f.diagnostic, &f.source, false)).collect();
     assert_eq!(told.len(), 4, "{told:#?}");
-    for (told, parts) in told.iter().zip([["index.tsv:5:1", "no motion"], ["index.tsv:6:1", "`laep`"], ["index.tsv:6:1", "`up`"], ["index.tsv:7:1", "called `x`"]]) {
+    for (told, parts) in told.iter().zip([
+        ["index.tsv:5:1", "no motion"],
+        ["index.tsv:6:1", "`laep`"],
+        ["index.tsv:6:1", "`up`"],
+        ["index.tsv:7:1", "called `x`"],
+    ]) {
         assert!(parts.iter().all(|part| told.contains(part)), "{told}");
     }
-    let missing = chereme::corpus::manifest::listing(Source::new("corpus.yaml", text), Path::new("/d"), &files).unwrap();
+    let missing =
+        chereme::corpus::manifest::listing(Source::new("corpus.yaml", text), Path::new("/d"), &files).unwrap();
     assert!(missing.findings[0].diagnostic.message.contains("no file `/d/t/index.tsv`"));
 }

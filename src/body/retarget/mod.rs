@@ -45,7 +45,8 @@ impl fmt::Display for Axis6 {
 impl FromStr for Axis6 {
     type Err = Error;
     fn from_str(text: &str) -> Result<Axis6, Error> {
-        let found = AXES.iter().find(|(_, name)| name.eq_ignore_ascii_case(text) || name[1..].eq_ignore_ascii_case(text));
+        let found =
+            AXES.iter().find(|(_, name)| name.eq_ignore_ascii_case(text) || name[1..].eq_ignore_ascii_case(text));
         found.map(|(axis, _)| *axis).ok_or_else(|| Error::new(format!("{text} is no axis: +x, -x, +y, -y, +z or -z")))
     }
 }

@@ -1,8 +1,8 @@
 //! `chereme corpus build`
 
+use super::super::Failure;
 use super::super::parallel::Loudness;
 use super::super::terminal::{self, count};
-use super::super::Failure;
 use super::open::{TOLD, open, tell};
 use super::{Named, Opening};
 use crate::corpus::examine::is_fault;

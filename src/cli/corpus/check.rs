@@ -57,7 +57,8 @@ impl Check {
         // Faults first, for they are what has to be mended.
         let told: Vec<&Finding> = faults.iter().chain(&warnings).copied().collect();
         tell(&told, most, "--all tells them, --quiet counts them");
-        let of = |all: &[&Finding], one: &str| if all.is_empty() { format!("no {one}s") } else { count(all.len(), one) };
+        let of =
+            |all: &[&Finding], one: &str| if all.is_empty() { format!("no {one}s") } else { count(all.len(), one) };
         let recordings = count(listing.takes.len(), "recording");
         terminal::out(&format!("{recordings}: {}, {}\n", of(&faults, "fault"), of(&warnings, "warning")));
         if faults.is_empty() { Ok(()) } else { Err(Failure::Faults(None)) }

@@ -1,9 +1,9 @@
 //! `chereme corpus init`
 
+use super::super::Failure;
 use super::super::files::{make_folder_of, write_whole};
 use super::super::parallel::{Loudness, Progress, in_order, pool};
 use super::super::terminal::{self, count};
-use super::super::Failure;
 use super::disk::Disk;
 use crate::corpus::files::Files;
 use crate::corpus::manifest::FILE_NAME;

@@ -65,8 +65,17 @@ impl Columns {
     }
 
     /// The clip again.
-    pub(super) fn clip(&self, bytes: &[u8], rig: &Arc<Skeleton>, morphs: &Arc<Vec<String>>, fps: Fps) -> Result<Clip, Error> {
-        if self.frames == 0 || self.still.len() != 3 + 4 * rig.len() + morphs.len() || bytes.len() as u64 != self.bytes() {
+    pub(super) fn clip(
+        &self,
+        bytes: &[u8],
+        rig: &Arc<Skeleton>,
+        morphs: &Arc<Vec<String>>,
+        fps: Fps,
+    ) -> Result<Clip, Error> {
+        if self.frames == 0
+            || self.still.len() != 3 + 4 * rig.len() + morphs.len()
+            || bytes.len() as u64 != self.bytes()
+        {
             return Err(Error::new("its frames do not fit the rig"));
         }
         let mut now = self.still.clone();

@@ -133,7 +133,8 @@ impl Entry {
         let annotations = tap.list(read_source)?;
         let tiers_recipe = tap.u64()?;
         let fps = Fps::new(tap.f64()?).ok_or_else(|| Error::new("it has a frame rate that is none"))?;
-        let begins = Seconds(Some(tap.f64()?).filter(|at| at.is_finite()).ok_or_else(|| Error::new("its start is no time"))?);
+        let begins =
+            Seconds(Some(tap.f64()?).filter(|at| at.is_finite()).ok_or_else(|| Error::new("its start is no time"))?);
         let joints = tap.u32()?;
         let flags = tap.u8()?;
         let flag = |at: u8| flags & (1 << at) != 0;

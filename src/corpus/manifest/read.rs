@@ -123,7 +123,9 @@ fn recording(node: &Spanned<Node>, faults: &mut Faults) -> Option<Recording> {
 
 fn span(node: &Spanned<Node>, faults: &mut Faults) -> Option<Spanned<[f64; 2]>> {
     let numbers: Vec<f64> = match &node.value {
-        Node::List(list) => list.iter().filter_map(|item| text(item, "span", faults)).filter_map(|t| number(&t.value)).collect(),
+        Node::List(list) => {
+            list.iter().filter_map(|item| text(item, "span", faults)).filter_map(|t| number(&t.value)).collect()
+        }
         Node::Nothing | Node::Text(_) | Node::Map(_) => Vec::new(),
     };
     match numbers[..] {

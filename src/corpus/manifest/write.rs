@@ -63,7 +63,9 @@ impl Manifest {
             return;
         }
         out.blank();
-        out.comment(&["Which of our tiers the annotations' tiers are; `*` stands for any letters, the first that fits counts."]);
+        out.comment(&[
+            "Which of our tiers the annotations' tiers are; `*` stands for any letters, the first that fits counts.",
+        ]);
         out.line(0, "tiers:");
         for rule in &self.tiers {
             out.line(2, &format!("{}: {}", scalar(&rule.theirs.value), scalar(&rule.ours.value)));
@@ -102,7 +104,9 @@ impl Manifest {
         }
         if !self.takes.is_empty() {
             out.blank();
-            out.comment(&["Tables that list recordings, a row each: a recording's field, and the heading of its column."]);
+            out.comment(&[
+                "Tables that list recordings, a row each: a recording's field, and the heading of its column.",
+            ]);
             out.line(0, "takes:");
             self.takes.iter().for_each(|own| table(out, own));
         }

@@ -57,7 +57,8 @@ impl HeadedTable {
         let named = |field: Field, at: usize| (Spanned::new(field, Span::default()), of(&self.rows.headings[at]));
         let mut columns = vec![named(Field::Motion, column)];
         for (at, heading) in self.rows.headings.iter().enumerate().filter(|(at, _)| *at != column) {
-            let field = field_of_heading(heading).filter(|field| columns.iter().all(|(known, _)| known.value != *field));
+            let field =
+                field_of_heading(heading).filter(|field| columns.iter().all(|(known, _)| known.value != *field));
             let fits = field.is_some_and(|field| self.fits(field, at));
             columns.extend(field.filter(|_| fits).map(|field| named(field, at)));
         }
