@@ -83,6 +83,14 @@ impl HandRig {
         std::array::from_fn(|i| self.of_digit(Digit::ALL[i / 3])[i % 3])
     }
 
+    /// Where the pad of a bone of the thumb looks at rest, model space; of any other joint, where the palm does.
+    pub fn thumb_pad_at_rest(&self, bone: JointId) -> DVec3 {
+        match self.thumb.iter().position(|joint| *joint == bone) {
+            Some(at) => left(self.thumb_rest[at].y_axis, self.side),
+            None => -DVec3::Y,
+        }
+    }
+
     /// Sets the fifteen finger joints; nothing else of the pose changes.
     pub fn apply(&self, angles: &HandAngles, pose: &mut LocalPose) {
         let mut set = |joint: JointId, rotation: DQuat| pose.set(joint, mirrored(rotation, self.side));

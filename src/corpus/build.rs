@@ -9,9 +9,12 @@ use super::files::{Files, Finding, Stamp};
 use super::manifest::{Listing, Rig, Take};
 use super::motion::{self, captured};
 use super::tiers::{Window, annotations_of, tiers};
-use crate::body::retarget::{Options, retarget};
+use crate::body::retarget::{Humanoid, Options, Report, retarget};
 use crate::body::signer::Signer;
 use crate::diagnostics::Error;
+use crate::motion::pose::LocalPose;
+use crate::phonology::Configuration;
+use crate::phonology::handshape::HandshapeInventory;
 use crate::time::FrameIndex;
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -81,6 +84,8 @@ pub struct Builder<'a> {
     files: &'a dyn Files,
     old: Option<&'a OnDisk>,
     by_name: BTreeMap<&'a str, &'a Entry>,
+    /// How our body stands where a recording has nothing of it.
+    rest: LocalPose,
 }
 
 impl<'a> Builder<'a> {
@@ -89,7 +94,7 @@ impl<'a> Builder<'a> {
         let old = old.filter(|old| *old.cache.head() == head(signer));
         let entries = old.map(|old| old.cache.entries()).unwrap_or_default();
         let by_name = entries.iter().map(|entry| (entry.name.as_str(), entry)).collect();
-        Builder { listing, signer, files, old, by_name }
+        Builder { listing, signer, files, old, by_name, rest: rest_of(signer) }
     }
 
     /// The cache that recordings are kept from.
@@ -225,14 +230,18 @@ impl<'a> Builder<'a> {
         let manifest = &self.listing.manifest;
         let captured = captured(bytes, take, manifest, &self.listing.source)?;
         made.findings = captured.findings;
-        let options = Options { mode: captured.mode, ..Options::default() };
-        let done = retarget(&captured.clip, &captured.joints, captured.axes, self.signer, &options).map_err(fault)?;
-        let told = |text: &String| take.place.warning(format!("{}: {text}", take.name));
-        made.findings.extend(done.report.warnings.iter().map(told));
+        // Frames that are not to be used are cut off already.
+        let options = Options { mode: captured.mode, skip_frames: 0, rest: self.rest.clone() };
+        let skeleton = captured.clip.skeleton();
+        let humanoid = Humanoid::new(skeleton, &captured.joints, captured.axes, self.signer).map_err(fault)?;
+        let done = retarget(&captured.clip, &humanoid, self.signer, &options).map_err(fault)?;
+        let warnings = told(&done.report);
+        let finding = |text: &String| take.place.warning(format!("{}: {text}", take.name));
+        made.findings.extend(warnings.iter().map(finding));
         made.frames = Frames::of(&done.clip).map_err(fault)?;
         let entry = &mut made.entry;
         entry.joints = u32::try_from(captured.clip.skeleton().len()).unwrap_or(u32::MAX);
-        (entry.begins, entry.covers, entry.warnings) = (captured.begins, done.covers, done.report.warnings);
+        (entry.begins, entry.covers, entry.warnings) = (captured.begins, done.covers, warnings);
         entry.fps = done.clip.fps();
         Ok(())
     }
@@ -273,6 +282,30 @@ impl<'a> Builder<'a> {
         let hash = bytes.as_ref().map_or(0, |bytes| hash(bytes));
         (SourceFile { path: path.to_string_lossy().into_owned(), stamp, hash }, bytes)
     }
+}
+
+/// How a signer stands where a recording says nothing: arms hanging, hands at rest.
+fn rest_of(signer: &Signer) -> LocalPose {
+    let rest = HandshapeInventory::builtin().angles(&Configuration::named("rest"), None);
+    rest.map_or_else(|_| LocalPose::rest(&signer.skeleton), |hand| signer.neutral(&hand))
+}
+
+/// What of a motion could not be kept, where it is more than one sees past.
+fn told(report: &Report) -> Vec<String> {
+    const NOTICEABLE: f64 = 10.0 * std::f64::consts::PI / 180.0;
+    let parts = report.directions.iter().filter(|part| part.worst > NOTICEABLE);
+    let mut told: Vec<String> = parts
+        .map(|part| {
+            let (name, joint, at) = (part.part.name(), &part.joint, part.at);
+            let (worst, mean) = (part.worst.to_degrees(), part.mean.to_degrees());
+            format!("{name} look up to {worst:.0}° elsewhere ({joint} at {at}), {mean:.1}° in the mean")
+        })
+        .collect();
+    if report.tips_m > 0.01 {
+        let (worst, mean) = (report.tips_m * 100.0, report.tips_mean_m * 100.0);
+        told.push(format!("fingertips are up to {worst:.1} cm from where they were, {mean:.1} cm in the mean"));
+    }
+    told
 }
 
 /// A file's name, for where a value came from.

@@ -103,9 +103,16 @@ pub fn joints_of(file: &Bvh, rig: Option<&Rig>) -> BTreeMap<String, String> {
     }
 }
 
-/// What is known of a file's joint names.
+/// What is known of a file's joint names; nothing, where it has no frame or no skeleton can be made of it.
 pub fn recognised(file: &Bvh) -> Recognised {
-    recognise(file.joints().iter().map(|joint| joint.name.as_str()))
+    let row = file.rows().next().map(<[f64]>::to_vec).unwrap_or_default();
+    let first = Bvh::new(file.joints().to_vec(), file.frame_time(), row);
+    let options = ClipOptions { metres_per_unit: 1.0, roots: Roots::First };
+    let first = first.and_then(|first| bvh::to_clip(&first, &options));
+    match first {
+        Ok(first) => recognise(first.clip.skeleton()),
+        Err(_) => Recognised { convention: "other", joints: BTreeMap::new(), unknown: Vec::new() },
+    }
 }
 
 /// Findings about a text that a manifest names, with its text.
@@ -139,16 +146,22 @@ pub fn captured(bytes: &[u8], take: &Take, manifest: &Manifest, text: &Arc<Sourc
     let converted = bvh::to_clip(&file, &options).map_err(fault)?;
     findings.extend(converted.warnings.iter().map(|told| take.place.warning(format!("{}: {told}", take.name))));
     let whole = converted.clip;
-    let proposed = propose_axes(&whole, &joints);
-    let said = |axis: fn(&Rig) -> Option<crate::body::retarget::Axis6>| rig.and_then(axis);
-    let axes = Axes {
-        up: said(|rig| rig.up.map(|up| up.value)).unwrap_or(proposed.up),
-        front: said(|rig| rig.front.map(|front| front.value)).unwrap_or(proposed.front),
-    };
+    let axes = axes_of(&whole, &joints, rig).ok_or_else(|| {
+        let fault = take.place.fault(format!("{}: up and front of its skeleton are one line", take.name));
+        vec![fault]
+    })?;
     let file_duration = whole.duration();
     let (clip, begins) = cut(&whole, take, rig, &mut findings).map_err(|fault| vec![fault])?;
     let (size, mode) = (size(&file, &joints, metres), rig.map(|rig| rig.mode.value).unwrap_or_default());
     Ok(Captured { clip, begins, file_duration, size, joints, axes, mode, findings })
+}
+
+/// The axes that the skeleton says, where it says none those that the motion shows; `None` where they are one line.
+fn axes_of(clip: &Clip, joints: &BTreeMap<String, String>, rig: Option<&Rig>) -> Option<Axes> {
+    let proposed = propose_axes(clip, joints);
+    let up = rig.and_then(|rig| rig.up).map_or(proposed.up(), |up| up.value);
+    let front = rig.and_then(|rig| rig.front).map_or(proposed.front(), |front| front.value);
+    Axes::new(up, front)
 }
 
 /// The skeleton of a recording: the one that is named, else of those whose joints the file has all, the one with the most.

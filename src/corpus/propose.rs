@@ -166,8 +166,8 @@ fn rigs(motions: &[Seen], notes: &mut Vec<String>) -> Vec<Group> {
         let rig = Rig {
             name: of(&name),
             unit: first.unit.map(|(metres, _)| Spanned::new(Unit(metres), Span::default())),
-            up: Some(Spanned::new(axes.up, Span::default())),
-            front: Some(Spanned::new(axes.front, Span::default())),
+            up: Some(Spanned::new(axes.up(), Span::default())),
+            front: Some(Spanned::new(axes.front(), Span::default())),
             skip_frames: Spanned::new(u32::from(first.inserted), Span::default()),
             mode: Spanned::default(),
             joints,
@@ -194,8 +194,8 @@ fn told(name: &str, first: &Seen, axes: Axes, files: usize) -> String {
         first.path,
         known.joints.len(),
         first.names.len(),
-        axes.up,
-        axes.front
+        axes.up(),
+        axes.front()
     )
 }
 
@@ -237,7 +237,7 @@ fn most_frequent(all: impl Iterator<Item = Axes>) -> Axes {
     // Of equals the first.
     let most = counts.iter().map(|(_, count)| *count).max();
     let found = counts.iter().find(|(_, count)| Some(*count) == most).map(|(axes, _)| *axes);
-    found.unwrap_or(Axes { up: crate::body::retarget::Axis6::PlusY, front: crate::body::retarget::Axis6::PlusZ })
+    found.unwrap_or(Axes::OURS)
 }
 
 /// A recording of a motion, and the annotations of the same name beside it.

@@ -17,9 +17,10 @@
 //! roll cannot be read from positions: it is kept from the [`ArmHint`].
 
 use super::rotation::{
-    direction, from_vector, perpendicular, shortest_arc, swing_twist, to_vector, twist_angle, unit, unwrap_near,
+    direction, frame_to_frame, from_vector, perpendicular, shortest_arc, swing_twist, to_vector, twist_angle, unit,
+    unwrap_near,
 };
-use glam::{DMat3, DQuat, DVec3};
+use glam::{DQuat, DVec3};
 
 /// Below this flexion (.1°) the roll is the hint's; from there to [`ROLL_SEEN`] it passes to the positions'.
 const ROLL_HIDDEN: f64 = 0.1 * std::f64::consts::PI / 180.0;
@@ -263,11 +264,4 @@ pub(super) fn seen_or(upper: DVec3, fore: DVec3, kept: impl FnOnce() -> DVec3) -
     }
     let angle = kept.cross(normal).dot(upper).atan2(kept.dot(normal));
     DQuat::from_axis_angle(upper, angle * weight) * kept
-}
-
-/// The rotation that takes one pair of perpendicular unit vectors to another.
-pub(super) fn frame_to_frame(from: (DVec3, DVec3), to: (DVec3, DVec3)) -> DQuat {
-    let from = DMat3::from_cols(from.0, from.1, from.0.cross(from.1));
-    let to = DMat3::from_cols(to.0, to.1, to.0.cross(to.1));
-    unit(DQuat::from_mat3(&(to * from.transpose())))
 }

@@ -12,10 +12,10 @@
 //! # Conventions
 //! Model space, metres. No limits: the paper has none (Naert et al. 2021, §4.1).
 
-use super::arm::{frame_to_frame, seen_or};
+use super::arm::seen_or;
 use super::fabrik::{Options, Pole};
 use super::reach::reach;
-use super::rotation::{direction, perpendicular, shortest_arc, unit};
+use super::rotation::{direction, frame_to_frame, perpendicular, shortest_arc, unit};
 use glam::{DQuat, DVec3};
 
 /// FABRIK stops this near to the target, metres: what is left must not tremble from frame to frame.

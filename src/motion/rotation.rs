@@ -5,7 +5,7 @@
 //! Angles are radians, right-handed about their axis. Axes need not be unit vectors. Every function
 //! returns unit quaternions for any finite input; a quaternion without direction counts as the identity.
 
-use glam::{DQuat, DVec3};
+use glam::{DMat3, DQuat, DVec3};
 use std::f64::consts::{PI, TAU};
 
 /// The unit quaternion in the direction of `q`; the identity where `q` is zero or not finite.
@@ -143,6 +143,20 @@ pub fn shortest_arc(from: DVec3, to: DVec3, fallback_axis: DVec3) -> DQuat {
     }
     let axis = perpendicular(fallback_axis, from);
     DQuat::from_xyzw(axis.x, axis.y, axis.z, 0.0)
+}
+
+/// The rotation that takes one pair of perpendicular unit vectors to another.
+///
+/// ```
+/// use chereme::motion::rotation::{angle_between, frame_to_frame};
+/// use glam::{DQuat, DVec3};
+/// let quarter = frame_to_frame((DVec3::X, DVec3::Y), (DVec3::Y, -DVec3::X));
+/// assert!(angle_between(quarter, DQuat::from_rotation_z(std::f64::consts::FRAC_PI_2)) < 1e-12);
+/// ```
+pub fn frame_to_frame(from: (DVec3, DVec3), to: (DVec3, DVec3)) -> DQuat {
+    let from = DMat3::from_cols(from.0, from.1, from.0.cross(from.1));
+    let to = DMat3::from_cols(to.0, to.1, to.0.cross(to.1));
+    unit(DQuat::from_mat3(&(to * from.transpose())))
 }
 
 /// The part of `v` perpendicular to the unit vector `axis`, as a unit vector; where nothing is left of

@@ -1,6 +1,6 @@
 //! `corpus.yaml`: what is written is read as the same, and what is wrong is told with its place, all at once.
 
-use chereme::body::retarget::{Axis6, Mode};
+use chereme::body::retarget::{Mode, SignedAxis};
 use chereme::corpus::files::{Files, Stamp};
 use chereme::corpus::manifest::*;
 use chereme::corpus::segment::Component;
@@ -75,7 +75,8 @@ fn details(skeletons: Vec<String>) -> impl Strategy<Value = Details> {
 }
 
 fn rigs() -> impl Strategy<Value = Vec<Rig>> {
-    let axis = || maybe(prop::sample::select(vec![Axis6::PlusX, Axis6::MinusY, Axis6::PlusZ]).prop_map(of));
+    let axis =
+        || maybe(prop::sample::select(vec![SignedAxis::PLUS_Y, SignedAxis::PLUS_Z, SignedAxis::MINUS_Z]).prop_map(of));
     let named = prop::sample::select(Unit::NAMED.to_vec()).prop_map(|(_, metres)| metres);
     let unit = maybe(prop_oneof![named, 1e-6..10.0].prop_map(|metres| of(Unit(metres))));
     let mode = prop::sample::select(vec![Mode::Directions, Mode::Contacts]);

@@ -1,6 +1,7 @@
 //! One integration binary; the tree mirrors `src/`.
 mod body_hand;
 mod body_landmarks;
+mod body_retarget;
 mod body_skin;
 mod body_solid;
 mod format_csv;

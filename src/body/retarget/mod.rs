@@ -1,153 +1,73 @@
-//! STAND-IN for retargeting until the founder's `body::retarget` is merged: joints of equal axes only.
+//! Retargeting: a motion of somebody's skeleton on our rig, and ours on theirs.
+//!
+//! Mode [`Mode::Directions`] keeps the directions of bones: what looks up looks up, whatever the bones' lengths. Mode
+//! [`Mode::Contacts`] keeps where fingertips are: wrists are put where they are from the shoulders, in arm lengths, and
+//! the fingers are solved again so that the tips lie as they do about the wrist, in lengths of the hand. Hands without a body (from a sensor) are placed before the
+//! signer, and the arm follows by inverse kinematics.
+//!
+//! # Conventions
+//! A stranger's clip is in metres in the file's own axes ([`Axes`]); ours is Y up, facing +Z. What a recording does not
+//! cover stays as in the pose that is given for it. The skeleton's hips keep the line of the hips; their own bones have no direction of
+//! their own, because three begin there.
 
+pub mod axes;
+mod contacts;
+mod finger;
+mod humanoid;
+mod inward;
 pub mod names;
+mod outward;
+mod report;
+mod root;
 
-use super::signer::Signer;
-use crate::diagnostics::Error;
-use crate::motion::clip::{Clip, Frame};
+pub use axes::{Axes, SignedAxis, propose_axes};
+pub use humanoid::Humanoid;
+pub use inward::retarget;
+pub use outward::to_theirs;
+pub use report::{Part, PartError, Report};
+
+use crate::motion::clip::Clip;
 use crate::motion::pose::LocalPose;
-use std::collections::BTreeMap;
-use std::fmt;
-use std::str::FromStr;
 
-/// A signed axis.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Axis6 {
-    /// +x
-    PlusX,
-    /// -x
-    MinusX,
-    /// +y
-    PlusY,
-    /// -y
-    MinusY,
-    /// +z
-    PlusZ,
-    /// -z
-    MinusZ,
-}
-
-const AXES: [(Axis6, &str); 6] = [
-    (Axis6::PlusX, "+x"),
-    (Axis6::MinusX, "-x"),
-    (Axis6::PlusY, "+y"),
-    (Axis6::MinusY, "-y"),
-    (Axis6::PlusZ, "+z"),
-    (Axis6::MinusZ, "-z"),
-];
-
-impl fmt::Display for Axis6 {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(AXES.iter().find(|(axis, _)| axis == self).map_or("", |(_, text)| text))
-    }
-}
-
-impl FromStr for Axis6 {
-    type Err = Error;
-    fn from_str(text: &str) -> Result<Axis6, Error> {
-        let found =
-            AXES.iter().find(|(_, name)| name.eq_ignore_ascii_case(text) || name[1..].eq_ignore_ascii_case(text));
-        found.map(|(axis, _)| *axis).ok_or_else(|| Error::new(format!("{text} is no axis: +x, -x, +y, -y, +z or -z")))
-    }
-}
-
-/// Where up and front are in a file's space.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Axes {
-    /// Up.
-    pub up: Axis6,
-    /// To the signer's front.
-    pub front: Axis6,
-}
-
-/// How motion is taken over.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Hash)]
-pub enum Mode {
-    /// Bone directions are kept.
-    #[default]
-    Directions,
-    /// Fingertips are where they were.
-    Contacts,
-}
-
-/// What can be chosen.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub struct Options {
-    /// What is kept.
-    pub mode: Mode,
-}
-
-/// What of our rig a motion moves.
+/// What of a body a recording has.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Coverage {
-    /// Trunk and legs.
+    /// Hips, trunk and head.
     pub body: bool,
-    /// Left, right.
+    /// Left and right arm, from the shoulder to the wrist.
     pub arms: [bool; 2],
-    /// Left, right.
+    /// Left and right hand, with at least four digits.
     pub hands: [bool; 2],
 }
 
-/// How well it went.
-#[derive(Debug, Clone, PartialEq, Default)]
-pub struct RetargetReport {
-    /// What is odd, each a sentence.
-    pub warnings: Vec<String>,
+/// What is kept of a motion.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Mode {
+    /// The directions of bones.
+    #[default]
+    Directions,
+    /// The places of wrists and fingertips.
+    Contacts,
+}
+
+/// Knobs of retargeting.
+#[derive(Debug, Clone)]
+pub struct Options {
+    /// What is kept.
+    pub mode: Mode,
+    /// How many frames at the start are left out, such as an inserted T-pose.
+    pub skip_frames: usize,
+    /// How our body stands where the recording has nothing of it.
+    pub rest: LocalPose,
 }
 
 /// A motion on our rig.
 #[derive(Debug, Clone)]
 pub struct Retargeted {
-    /// The motion.
+    /// The motion, without morphs.
     pub clip: Clip,
-    /// What it moves.
+    /// What of it comes from the recording.
     pub covers: Coverage,
-    /// How well it went.
-    pub report: RetargetReport,
-}
-
-/// Y up, to the front +Z.
-pub fn propose_axes(_clip: &Clip, _joints: &BTreeMap<String, String>) -> Axes {
-    Axes { up: Axis6::PlusY, front: Axis6::PlusZ }
-}
-
-/// Rotations of joints with the same axes, copied.
-///
-/// # Errors
-/// No joint in common.
-pub fn retarget(
-    source: &Clip,
-    joints: &BTreeMap<String, String>,
-    _axes: Axes,
-    signer: &Signer,
-    _options: &Options,
-) -> Result<Retargeted, Error> {
-    let rig = &signer.skeleton;
-    let pairs: Vec<_> =
-        joints.iter().filter_map(|(ours, theirs)| rig.find(ours).zip(source.skeleton().find(theirs))).collect();
-    if pairs.is_empty() {
-        return Err(Error::new("no joint is one of ours"));
-    }
-    let has = |name: &str| rig.find(name).is_some_and(|id| pairs.iter().any(|p| p.0 == id));
-    let body = has("Hips");
-    let frame = |frame: &Frame| {
-        let mut pose = LocalPose::rest(rig);
-        if body {
-            pose.root_model = frame.pose.root_model;
-        }
-        pairs.iter().for_each(|(ours, theirs)| pose.set(*ours, frame.pose.rotation(*theirs)));
-        Frame { pose, weights: vec![0.0; signer.morphs.len()] }
-    };
-    let frames = source.frames().iter().map(frame).collect();
-    let clip = Clip::new(rig.clone(), source.fps(), signer.morphs.clone(), frames);
-    let covers = Coverage {
-        body,
-        arms: [has("LeftForeArm"), has("RightForeArm")],
-        hands: [has("LeftHandIndex1"), has("RightHandIndex1")],
-    };
-    Ok(Retargeted {
-        clip: clip.ok_or_else(|| Error::new("there is no frame"))?,
-        covers,
-        report: RetargetReport::default(),
-    })
+    /// How near it is.
+    pub report: Report,
 }

@@ -72,6 +72,9 @@ impl Columns {
         morphs: &Arc<Vec<String>>,
         fps: Fps,
     ) -> Result<Clip, Error> {
+        // Recordings of bodies have no face: their clips have no morphs.
+        let none = Arc::new(Vec::new());
+        let morphs = if self.still.len() == 3 + 4 * rig.len() { &none } else { morphs };
         if self.frames == 0
             || self.still.len() != 3 + 4 * rig.len() + morphs.len()
             || bytes.len() as u64 != self.bytes()

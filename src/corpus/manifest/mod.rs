@@ -23,7 +23,7 @@ pub use read::read;
 pub(in crate::corpus) use takes::Rows;
 pub use takes::{Listing, Take, listing};
 
-use crate::body::retarget::{Axis6, Mode};
+use crate::body::retarget::{Mode, SignedAxis};
 use crate::corpus::segment::Component;
 use crate::diagnostics::Spanned;
 use crate::phonology::Side;
@@ -130,9 +130,9 @@ pub struct Rig {
     /// Metres in one unit of the files; proposed from the size of the body, where nothing is said.
     pub unit: Option<Spanned<Unit>>,
     /// The axis that points up in the files' space; proposed where nothing is said.
-    pub up: Option<Spanned<Axis6>>,
+    pub up: Option<Spanned<SignedAxis>>,
     /// The axis that points to the signer's front; proposed where nothing is said.
-    pub front: Option<Spanned<Axis6>>,
+    pub front: Option<Spanned<SignedAxis>>,
     /// Frames at the start that are no motion, such as an inserted T-pose.
     pub skip_frames: Spanned<u32>,
     /// How its motion is taken over.

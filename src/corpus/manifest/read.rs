@@ -3,7 +3,7 @@
 use super::fields::{Faults, Fields, items, map, number, parsed, text};
 use super::yaml::{Node, parse};
 use super::{Details, Field, Hands, Manifest, Recording, Rig, Table, TierRule, Unit, VERSION, ValueRule};
-use crate::body::retarget::{Axis6, Mode};
+use crate::body::retarget::{Mode, SignedAxis};
 use crate::corpus::segment::Component;
 use crate::diagnostics::{Diagnostic, Span, Spanned};
 use crate::phonology::Side;
@@ -141,7 +141,7 @@ fn span(node: &Spanned<Node>, faults: &mut Faults) -> Option<Spanned<[f64; 2]>> 
 fn rig(name: &Spanned<String>, node: &Spanned<Node>, faults: &mut Faults) -> Option<Rig> {
     const KNOWN: [&str; 6] = ["unit", "up", "front", "skip_frames", "mode", "joints"];
     let fields = Fields::of(node, "a skeleton", &KNOWN, faults)?;
-    let axis = |word: &str| word.parse::<Axis6>().ok();
+    let axis = |word: &str| word.parse::<SignedAxis>().ok();
     let axes = "one of +x, -x, +y, -y, +z, -z";
     let joints = fields.get("joints").and_then(|node| map(node, "`joints`", faults)).unwrap_or_default();
     Some(Rig {
