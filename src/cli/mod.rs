@@ -5,6 +5,7 @@
 
 mod check;
 mod convert;
+mod corpus;
 mod explain;
 mod files;
 mod format;
@@ -60,6 +61,8 @@ enum Command {
     Check(check::Check),
     /// Convert signs from any notation to any other: .sign, HamNoSys, SiGML
     Convert(convert::Convert),
+    /// Recordings of signing: begin, check and build a corpus of motion capture and annotations
+    Corpus(corpus::Corpus),
     /// Lay signs out: two spaces before a tier, values in one column, comments kept
     Fmt(format::Format),
     /// List the signs, handshapes or places that are known
@@ -93,6 +96,7 @@ pub fn run() -> ExitCode {
         Command::Profile(profile) => profile.run(&cli.sources),
         Command::Check(check) => check.run(&cli.sources),
         Command::Convert(convert) => convert.run(&cli.sources),
+        Command::Corpus(corpus) => corpus.run(&cli.sources),
         Command::Fmt(format) => format.run(),
         Command::List(list) => list.run(&cli.sources),
         Command::New(new) => new.run(),

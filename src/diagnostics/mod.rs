@@ -6,6 +6,7 @@
 
 pub mod render;
 pub mod xml;
+pub mod suggest;
 
 use std::fmt;
 use std::ops::Range;
