@@ -4,4 +4,8 @@
 //! A recording is a motion of the rig with tiers over it. Its segments are what a hand does under one gloss, with the
 //! values of each phonological component and when they hold. Nothing here changes a motion.
 
+pub mod cut;
+pub mod index;
+pub mod label;
+pub mod query;
 pub mod segment;

@@ -5,6 +5,7 @@
 //! ([`render`]), so that a library user may show them in their own way.
 
 pub mod render;
+pub mod suggest;
 
 use std::fmt;
 use std::ops::Range;

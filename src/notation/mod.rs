@@ -22,7 +22,7 @@ pub mod print;
 pub mod raise;
 pub mod read;
 pub mod sigml;
-pub mod suggest;
+pub use crate::diagnostics::suggest;
 pub mod syntax;
 pub mod vocabulary;
 

@@ -5,7 +5,7 @@
 /// Case and accents count as half a slip of the hand.
 ///
 /// ```
-/// use chereme::notation::suggest::nearest;
+/// use chereme::diagnostics::suggest::nearest;
 /// assert_eq!(nearest("placment", ["placement", "movement"]), Some("placement"));
 /// assert_eq!(nearest("xyzzy", ["placement", "movement"]), None);
 /// ```
