@@ -4,7 +4,9 @@
 //! A recording is a motion of the rig with tiers over it. Its segments are what a hand does under one gloss, with the
 //! values of each phonological component and when they hold. Nothing here changes a motion.
 
+pub mod bases;
 pub mod cut;
+pub mod example;
 pub mod index;
 pub mod label;
 pub mod query;

@@ -18,8 +18,9 @@ use glam::DVec3;
 const BONES: [[f64; 3]; 5] =
     [[39.8, 22.4, 15.8], [44.6, 26.3, 17.4], [41.4, 25.7, 17.3], [32.7, 18.1, 16.0], [46.2, 31.6, 21.7]];
 
-/// The mean way of the fifteen points from the spread hand to the fist, millimetres: what counts as 1.
-const SPAN: f64 = 62.0;
+/// The mean way of the fifteen points that counts as 1, millimetres: a little more than between any two hands of the inventory (W and Y,
+/// 88.4 mm; the spread hand and the fist are 81.1 mm apart).
+const SPAN: f64 = 89.0;
 
 /// Where the fifteen joints and tips of a generic hand are, for comparing many hands.
 ///
@@ -47,7 +48,7 @@ impl HandPoints {
         HandPoints(points)
     }
 
-    /// The mean distance of the fifteen points as a part of that between the spread hand and the fist; at most 1.
+    /// The mean distance of the fifteen points in units of the farthest two hands of the inventory; at most 1.
     pub fn distance(&self, other: &HandPoints) -> f64 {
         let sum: f64 = self.0.iter().zip(&other.0).map(|(a, b)| a.distance(*b)).sum();
         (sum / (15.0 * SPAN)).min(1.0)

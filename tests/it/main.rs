@@ -13,6 +13,7 @@ mod cli_check;
 mod cli_convert;
 mod cli_each;
 mod cli_profile;
+mod corpus_example;
 mod corpus_index;
 mod corpus_query;
 mod corpus_scan;

@@ -38,7 +38,7 @@ fn configurations_span_the_scale_and_order_hands_as_people_do() {
         points(a).distance(&points(b))
     };
     let apart = between("5", "S");
-    assert!((0.95..1.0).contains(&apart), "the spread hand and the fist: {apart}");
+    assert!((0.9..0.93).contains(&apart), "the spread hand and the fist: {apart}");
     assert!(between("5", "4") < between("5", "3") && between("5", "3") < between("5", "S"));
     assert!(between("U", "V") < between("U", "B") && between("1", "X") < between("1", "B"));
 }
@@ -79,7 +79,7 @@ fn configurations_are_as_far_apart_on_the_rig() {
     assert!(correlation > 0.98, "correlation {correlation:.4} over {} pairs", pairs.len());
     // Which is then no accident of the scale's end.
     let at_end = pairs.iter().filter(|p| p.0 >= 1.0).count();
-    assert!(at_end < pairs.len() / 50, "{at_end} of {} pairs are beyond the scale", pairs.len());
+    assert!(at_end == 0, "{at_end} of {} pairs are beyond the scale", pairs.len());
 }
 
 #[test]
