@@ -21,8 +21,8 @@ pub fn options() -> Options {
 /// Frames farther than this part of a take from their own place are not laid on each other.
 pub const BAND: f64 = 0.25;
 
-/// The takes of a folder that `wanted` (gloss, number among the rows of its gloss) picks.
-pub fn takes(folder: &Path, options: &Options, wanted: impl Fn(&str, usize) -> bool) -> Vec<Take> {
+/// The takes of a folder that `wanted` (gloss, number among the rows of its gloss, hand) picks.
+pub fn takes(folder: &Path, options: &Options, wanted: impl Fn(&str, usize, Side) -> bool) -> Vec<Take> {
     let table = std::fs::read_to_string(folder.join("index.tsv")).expect("the folder has an index.tsv");
     let mut counts: BTreeMap<&str, usize> = BTreeMap::new();
     let mut found = Vec::new();
@@ -30,14 +30,14 @@ pub fn takes(folder: &Path, options: &Options, wanted: impl Fn(&str, usize) -> b
         let [file, gloss, take, hand, ..] = row[..] else { continue };
         let number = counts.entry(gloss).or_default();
         *number += 1;
-        if !wanted(gloss, *number - 1) {
+        let side = if hand == "left" { Side::Left } else { Side::Right };
+        if !wanted(gloss, *number - 1, side) {
             continue;
         }
         let bytes = std::fs::read(folder.join(file)).expect("the files of the index are there");
         let bvh = read(&bytes).unwrap_or_else(|faults| panic!("{file}: {}", faults[0].message)).bvh;
         let unit = ClipOptions { metres_per_unit: 0.001, ..ClipOptions::default() };
         let clip = to_clip(&bvh, &unit).unwrap_or_else(|error| panic!("{file}: {error}")).clip;
-        let side = if hand == "left" { Side::Left } else { Side::Right };
         let motion = features_of(&clip, &[side], options).unwrap_or_else(|error| panic!("{file}: {error}"));
         found.push(Take { gloss: gloss.to_owned(), group: format!("{gloss} {take}"), motion });
     }
@@ -61,11 +61,15 @@ fn main() {
         options = Options { configuration, orientation, placement, movement, ..options };
     }
     let begin = Instant::now();
-    let takes = takes(Path::new(folder), &options, |_, _| true);
+    let takes = takes(Path::new(folder), &options, |_, _, _| true);
     let read = begin.elapsed().as_secs_f64();
     let guesses = leave_one_out(&takes, BAND);
     println!("{} takes read in {read:.1} s, compared in {:.1} s", takes.len(), begin.elapsed().as_secs_f64() - read);
-    println!("top-1 {:.1} %, top-5 {:.1} %", 100.0 * share(&guesses, 1), 100.0 * share(&guesses, 5));
+    let shares = |guesses: &[Guess]| [1, 5].map(|n| format!("top-{n} {:.1} %", 100.0 * share(guesses, n))).join(", ");
+    println!("all hands: {}", shares(&guesses));
+    // A left hand of this set is the weak one of a sign of two hands; there are few of each.
+    let right = self::takes(Path::new(folder), &options, |_, _, side| side == Side::Right);
+    println!("{} right hands among themselves: {}", right.len(), shares(&leave_one_out(&right, BAND)));
     let mut glosses: BTreeMap<&str, (usize, usize, BTreeMap<&str, usize>)> = BTreeMap::new();
     for (take, guess) in takes.iter().zip(&guesses) {
         let (all, right, others) = glosses.entry(&take.gloss).or_default();

@@ -194,7 +194,8 @@ fn base(group: &[Sign], options: &Options) -> Option<Base> {
     if different(|key| key.0.clone()) < 2 || different(|key| format!("{:?}", key.1)) < 2 {
         return None;
     }
-    let titles = if options.orientation { &["placement", "movement", "orientation"][..] } else { &["placement", "movement"] };
+    let titles =
+        if options.orientation { &["placement", "movement", "orientation"][..] } else { &["placement", "movement"] };
     let shared = group[0].shared.iter().flat_map(|(side, rows)| {
         titles.iter().zip(rows).map(|(title, row)| format!("{}{title} {}", of_side(*side), texts(row)))
     });

@@ -47,7 +47,8 @@ pub fn segments(recording: usize, tiers: &[Tier]) -> Vec<Segment> {
         }
     }
     if hands.iter().any(|hand| hand.gloss.is_none()) {
-        let held = |g: &TierValue| found.iter().any(|s| s.start < g.end && g.start < s.end || span(g) == (s.start, s.end));
+        let held =
+            |g: &TierValue| found.iter().any(|s| s.start < g.end && g.start < s.end || span(g) == (s.start, s.end));
         let alone: Vec<Segment> = shared
             .iter()
             .filter(|g| !held(g))
@@ -130,7 +131,8 @@ fn overlapping(tier: &Tier, start: Seconds, end: Seconds) -> Vec<Value> {
     // A stretch, or a value, without length is an instant: it overlaps what holds then.
     let meets = |v: &TierValue| {
         let overlap = v.end.0.min(end.0) - v.start.0.max(start.0);
-        overlap > LEAST_OVERLAP || (overlap >= 0.0 && (end.0 - start.0 <= LEAST_OVERLAP || v.end.0 - v.start.0 <= LEAST_OVERLAP))
+        overlap > LEAST_OVERLAP
+            || (overlap >= 0.0 && (end.0 - start.0 <= LEAST_OVERLAP || v.end.0 - v.start.0 <= LEAST_OVERLAP))
     };
     let values = tier.values().iter().filter(|v| says_something(&v.label) && meets(v));
     values.map(|v| Value { label: v.label.trim().to_owned(), start: v.start, end: v.end }).collect()

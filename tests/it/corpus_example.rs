@@ -213,8 +213,13 @@ fn a_part_of_a_motion_is_found_where_it_is_even_when_made_slower() {
     let found = search(&example, std::slice::from_ref(&whole_motion), 3).unwrap();
     assert_eq!((found[0].start, found[0].distance), (whole_motion.fps().time_of(chereme::time::FrameIndex(100)), 0.0));
     // The same motion at 0.7 of the speed: 100/30 s come at 143/30 s.
-    let slow = features_of(&clip(600, 60.0 / 0.7, false), &[Side::Left], &Options { fps: Fps::new(30.0).unwrap(), movement: 0.0, ..Options::default() });
-    let quick = features_of(&clip(600, 60.0, false), &[Side::Left], &Options { movement: 0.0, ..Options::default() }).unwrap();
+    let slow = features_of(
+        &clip(600, 60.0 / 0.7, false),
+        &[Side::Left],
+        &Options { fps: Fps::new(30.0).unwrap(), movement: 0.0, ..Options::default() },
+    );
+    let quick =
+        features_of(&clip(600, 60.0, false), &[Side::Left], &Options { movement: 0.0, ..Options::default() }).unwrap();
     let found = search(&quick.part(60, 100).unwrap(), &[slow.unwrap()], 1).unwrap();
     assert!(found[0].distance < 0.05, "{found:?}");
     assert!(search(&example, &[motion(&[[0.0, 0.0]])], 1).is_err());
@@ -242,7 +247,7 @@ fn glosses_of_real_takes_are_found_by_example() {
     const GLOSSES: [&str; 12] =
         ["one", "two", "three", "five", "six", "nine", "father", "mother", "hello", "sorry", "thousand", "tomorrow"];
     let Some(folder) = shared("data/mocap/sign_hand_tsl") else { return };
-    let wanted = |gloss: &str, number: usize| number < 6 && GLOSSES.contains(&gloss);
+    let wanted = |gloss: &str, number: usize, _: Side| number < 6 && GLOSSES.contains(&gloss);
     let takes = gloss_by_example::takes(&folder, &gloss_by_example::options(), wanted);
     assert_eq!(takes.len(), 72);
     let guesses = leave_one_out(&takes, gloss_by_example::BAND);

@@ -23,7 +23,16 @@ const LABELS: [&[&str]; 4] = [
     &["5", "4", "round-B", "round-B, thumb", "B", "1–5", "O", "K", "claw-of-mine", "?", "U, thumb out", "M"],
     &["chest", "Breast, touch", "chest left beside, close", "cheek", "other index tip", "neutral", "somewhere", "?"],
     &["fingers up, palm out", "palm up", "fingers out", "fingers between up and out, palm left", "askew"],
-    &["arc up-right 15cm", "down, then up", "hold", "(circle about up) ×3", "twist", "to chest ×2", "jiggle", "left small"],
+    &[
+        "arc up-right 15cm",
+        "down, then up",
+        "hold",
+        "(circle about up) ×3",
+        "twist",
+        "to chest ×2",
+        "jiggle",
+        "left small",
+    ],
 ];
 
 const CONDITIONS: &[&str] = &[
@@ -217,7 +226,9 @@ proptest! {
 fn long_labels_cost_neither_stack_nor_hours() {
     let begin = "pointing at ".repeat(50_000);
     for component in Component::ALL {
-        for text in [begin.clone(), "to ".repeat(100_000), "a–".repeat(100_000), "x".repeat(400_000), "(".repeat(100_000)] {
+        for text in
+            [begin.clone(), "to ".repeat(100_000), "a–".repeat(100_000), "x".repeat(400_000), "(".repeat(100_000)]
+        {
             VOCABULARY.read(component, &text);
         }
     }
@@ -237,8 +248,16 @@ fn names_of_the_inventories_stand_for_one_another() {
 fn faults_say_where_and_what_instead() {
     let cases = [
         ("glos=hello", "segments have no `glos`", "did you mean `gloss`?"),
-        ("gloss hello", "this is no condition", "a condition is a field, an operator and a value: gloss=hello, configuration~5, duration<1.2s"),
-        ("gloss=hello and hand=right", "this is no condition", "conditions stand side by side, without a word between them"),
+        (
+            "gloss hello",
+            "this is no condition",
+            "a condition is a field, an operator and a value: gloss=hello, configuration~5, duration<1.2s",
+        ),
+        (
+            "gloss=hello and hand=right",
+            "this is no condition",
+            "conditions stand side by side, without a word between them",
+        ),
         ("configuration<5", "`configuration` cannot be compared with `<`", "a sequence is written in the value: O>K"),
         ("hand=rigth", "`rigth` is no hand", "did you mean `right`?"),
         ("duration<1,2s", "`1,2s` is no time", "the decimal mark is a point: 1.2s"),
@@ -268,7 +287,9 @@ fn hits_say_why() {
         ..Segment::default()
     };
     let index = Index::build(&recordings(), &[known], &VOCABULARY);
-    let asked = query("gloss=hello configuration~5 placement=breast palm=up fingers=out movement=arc duration<1.2s signer!=ben");
+    let asked = query(
+        "gloss=hello configuration~5 placement=breast palm=up fingers=out movement=arc duration<1.2s signer!=ben",
+    );
     let hits = index.find(&asked, &Options::default());
     let reasons = index.reasons(&asked, &hits[0]);
     assert_eq!(reasons[0], "gloss is HELLO");
@@ -293,7 +314,8 @@ fn tier(name: &str, values: &[(f64, f64, &str)]) -> Tier {
 #[test]
 fn segments_are_cut_by_gloss_by_stroke_or_not_at_all() {
     let shapes = [(0.0, 1.1, "S"), (1.1, 2.5, "5"), (2.5, 3.0, "?"), (3.0, 4.0, "B")];
-    let glossed = segments(7, &[tier("rh gloss", &[(1.0, 2.0, "one"), (2.0, 4.0, "")]), tier("RH Configuration", &shapes)]);
+    let glossed =
+        segments(7, &[tier("rh gloss", &[(1.0, 2.0, "one"), (2.0, 4.0, "")]), tier("RH Configuration", &shapes)]);
     let labels = |s: &Segment| s.of(Component::Configuration).iter().map(|v| v.label.clone()).collect::<Vec<_>>();
     assert_eq!(glossed.len(), 2);
     assert_eq!((labels(&glossed[0]), glossed[0].gloss.as_deref()), (vec!["S".to_owned(), "5".to_owned()], Some("one")));

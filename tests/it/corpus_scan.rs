@@ -78,9 +78,9 @@ fn missing(field: Field, name: &Option<String>, labels: &[Label], segment: &Segm
     match field {
         Field::Gloss | Field::Recording | Field::Signer => name.is_none(),
         Field::Hand => segment.side.is_none(),
-        Field::Value(Component::Configuration | Component::Placement | Component::Orientation | Component::Movement) => {
-            labels.is_empty()
-        }
+        Field::Value(
+            Component::Configuration | Component::Placement | Component::Orientation | Component::Movement,
+        ) => labels.is_empty(),
         Field::Fingers => !says("fingers "),
         Field::Palm => !says("palm "),
         Field::Duration | Field::Start => false,

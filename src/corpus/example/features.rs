@@ -101,27 +101,27 @@ pub fn features_of(clip: &Clip, sides: &[Side], options: &Options) -> Result<Mot
     let skeleton = clip.skeleton();
     let hands = sides.iter().map(|side| Hand::of(skeleton, *side)).collect::<Result<Vec<Hand>, Error>>()?;
     let shoulders = (skeleton.find("LeftArm"), skeleton.find("RightArm"));
-    // Frames of the clip as points first: between them points go straight.
-    let posed: Vec<Vec<Posed>> = clip
-        .frames()
-        .iter()
-        .map(|frame| {
-            let pose = frame.pose.to_model(skeleton);
-            let origin = match (options.reference, shoulders) {
-                (Reference::Body, (Some(l), Some(r))) => (pose.position(l) + pose.position(r)) / 2.0,
-                _ => DVec3::ZERO,
-            };
-            hands.iter().map(|hand| hand.posed(&pose, origin)).collect()
-        })
-        .collect();
+    let posed = |frame: usize| -> Vec<Posed> {
+        let pose = clip.frames()[frame].pose.to_model(skeleton);
+        let origin = match (options.reference, shoulders) {
+            (Reference::Body, (Some(l), Some(r))) => (pose.position(l) + pose.position(r)) / 2.0,
+            _ => DVec3::ZERO,
+        };
+        hands.iter().map(|hand| hand.posed(&pose, origin)).collect()
+    };
     let rate = clip.fps().get() / options.fps.get();
-    let mut rows: Vec<Vec<Posed>> = Vec::with_capacity(count);
-    for frame in 0..count {
-        let at = (frame as f64 * rate).min((posed.len() - 1) as f64);
-        let (before, after) = (at.floor() as usize, at.ceil() as usize);
-        let pairs = posed[before].iter().zip(&posed[after]);
-        rows.push(pairs.map(|(a, b)| a.between(b, at - before as f64)).collect());
-    }
+    let last = clip.frames().len() - 1;
+    let row = |frame: usize| {
+        // Between two frames of the clip points go straight.
+        let at = (frame as f64 * rate).min(last as f64);
+        let (before, w) = (at.floor() as usize, at.fract());
+        let here = posed(before);
+        if w < 1e-9 {
+            return here;
+        }
+        here.iter().zip(posed(before + 1)).map(|(a, b)| a.between(&b, w)).collect()
+    };
+    let rows: Vec<Vec<Posed>> = (0..count).map(row).collect();
     let mut values = Vec::with_capacity(count * hands.len() * DIMS_A_HAND);
     for frame in 0..count {
         for hand in 0..hands.len() {

@@ -12,7 +12,7 @@ pub mod neighbours;
 pub mod warp;
 
 use crate::diagnostics::Error;
-use crate::time::{FrameIndex, Fps, Seconds};
+use crate::time::{Fps, FrameIndex, Seconds};
 
 /// How many numbers of a frame are taken together; rows are filled up with zeros to a multiple of it.
 const LANES: usize = 8;

@@ -9,19 +9,21 @@
 //! distance and then in this order.
 
 mod bytes;
+mod column;
 mod intern;
+mod names;
 mod postings;
 
+pub(in crate::corpus) use names::{Named, Names};
 pub use postings::Postings;
 pub(in crate::corpus) use postings::Union;
 
 use super::label::{Label, Vocabulary};
-use super::segment::{Component, Segment, Value};
+use super::segment::{Component, Segment};
 use crate::phonology::Side;
-use crate::phonology::grammar::fold;
 use crate::time::Seconds;
+use column::{Column, Values};
 use intern::Interner;
-use std::collections::BTreeMap;
 
 /// What queries may ask of a recording.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
@@ -36,70 +38,6 @@ pub struct About {
 
 /// The number of no gloss.
 const NONE: u32 = u32::MAX;
-
-/// The values of one component over all segments.
-#[derive(Debug, Clone, PartialEq)]
-struct Column {
-    /// The labels as they stand, each once, in the order in which they are met.
-    texts: Vec<String>,
-    /// What they come to.
-    labels: Vec<Label>,
-    /// Where the values of each segment begin, and after the last one where they end.
-    from: Vec<u32>,
-    /// For each value, its label.
-    label: Vec<u32>,
-    start: Vec<f64>,
-    end: Vec<f64>,
-    /// All terms, sorted.
-    terms: Vec<String>,
-    /// The segments of each term.
-    by_term: Postings,
-    /// Segments of which some question about this component has no answer.
-    open: Vec<u32>,
-}
-
-/// What queries name.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(in crate::corpus) enum Named {
-    Gloss,
-    Recording,
-    Signer,
-}
-
-/// Names of glosses, recordings or signers, and the segments of each; spellings that differ in case are one name.
-#[derive(Debug, Clone, PartialEq)]
-pub(in crate::corpus) struct Names {
-    /// Folded names and their numbers.
-    by_name: BTreeMap<String, u32>,
-    /// For each gloss or recording, the number of its name; [`NONE`] where it has none.
-    numbers: Vec<u32>,
-    segments: Postings,
-}
-
-impl Names {
-    /// The names of things, and of which thing each segment is.
-    fn of<'a>(names: impl Iterator<Item = Option<&'a str>>, things: &[u32]) -> Names {
-        let mut by_name = BTreeMap::new();
-        let number = |name: Option<&str>| {
-            let next = by_name.len() as u32;
-            name.map_or(NONE, |name| *by_name.entry(fold(name)).or_insert(next))
-        };
-        let numbers: Vec<u32> = names.map(number).collect();
-        let own = things.iter().map(|thing| numbers.get(*thing as usize).copied().unwrap_or(NONE));
-        let segments = Postings::one_each(own, by_name.len());
-        Names { by_name, numbers, segments }
-    }
-
-    /// The number of a folded name.
-    pub(super) fn number(&self, folded: &str) -> Option<u32> {
-        self.by_name.get(folded).copied()
-    }
-
-    /// The segments of a name.
-    pub(super) fn segments(&self, number: u32) -> &[u32] {
-        self.segments.of(number as usize)
-    }
-}
 
 /// All segments of a corpus with their lists; see the module.
 ///
@@ -177,7 +115,8 @@ impl Index {
         let by_gloss = Names::of(glosses.iter().map(|gloss| Some(gloss.as_str())), &gloss);
         let by_recording = Names::of(recordings.iter().map(|about| Some(about.name.as_str())), &recording);
         let by_signer = Names::of(recordings.iter().map(|about| about.signer.as_deref()), &recording);
-        let numbers = |test: &dyn Fn(usize) -> bool| (0..recording.len() as u32).filter(|i| test(*i as usize)).collect();
+        let numbers =
+            |test: &dyn Fn(usize) -> bool| (0..recording.len() as u32).filter(|i| test(*i as usize)).collect();
         let about = |i: usize| recordings.get(recording[i] as usize);
         let no_gloss = numbers(&|i| gloss[i] == NONE);
         let no_recording = numbers(&|i| about(i).is_none());
@@ -274,7 +213,7 @@ impl Index {
             Named::Gloss => self.gloss[number],
             Named::Recording | Named::Signer => self.recording[number],
         };
-        self.names(of).numbers.get(item as usize).copied().filter(|n| *n != NONE)
+        self.names(of).of_thing(item)
     }
 
     /// A segment's gloss as it stands.
@@ -324,71 +263,6 @@ struct Data {
     gloss: Vec<u32>,
     glosses: Vec<String>,
     values: [Values; 4],
-}
-
-/// The values of one component, of all segments one after the other.
-struct Values {
-    texts: Vec<String>,
-    from: Vec<u32>,
-    label: Vec<u32>,
-    start: Vec<f64>,
-    end: Vec<f64>,
-}
-
-impl Values {
-    fn of<'a>(values: impl Iterator<Item = &'a [Value]>, segments: usize) -> Values {
-        let mut texts = Interner::default();
-        let mut from = Vec::with_capacity(segments + 1);
-        let (mut label, mut start, mut end) = (Vec::with_capacity(segments), Vec::new(), Vec::new());
-        for own in values {
-            from.push(label.len() as u32);
-            // Numbers of values fit as those of segments do; what does not is left out.
-            for value in own.iter().take((NONE as usize).saturating_sub(label.len() + 1)) {
-                label.push(texts.number(&value.label));
-                start.push(finite(value.start));
-                end.push(finite(value.end));
-            }
-        }
-        from.push(label.len() as u32);
-        Values { texts: texts.into_texts(), from, label, start, end }
-    }
-}
-
-impl Column {
-    fn of(values: Values, component: Component, vocabulary: &Vocabulary) -> Column {
-        let Values { texts, from, label, start, end } = values;
-        let labels: Vec<Label> = texts.iter().map(|text| vocabulary.read(component, text)).collect();
-        let mut terms: Vec<String> = labels.iter().flat_map(|l| l.terms.iter().cloned()).collect();
-        terms.sort();
-        terms.dedup();
-        let number = |term: &String| terms.binary_search(term).expect("all terms are there") as u32;
-        let numbers: Vec<Vec<u32>> = labels.iter().map(|l| l.terms.iter().map(number).collect()).collect();
-        let partial: Vec<bool> = labels.iter().map(Label::is_partial).collect();
-        let own = |i: usize| &label[from[i] as usize..from[i + 1] as usize];
-        let by_term = Postings::several_each(from.len() - 1, terms.len(), |i, put| {
-            own(i).iter().for_each(|l| numbers[*l as usize].iter().for_each(|term| put(*term)));
-        });
-        let is_open = |i: &u32| {
-            let own = own(*i as usize);
-            own.is_empty() || own.iter().any(|l| partial[*l as usize])
-        };
-        let open = (0..from.len() as u32 - 1).filter(is_open).collect();
-        Column { texts, labels, from, label, start, end, terms, by_term, open }
-    }
-
-    fn numbers(&self, segment: usize) -> &[u32] {
-        &self.label[self.from[segment] as usize..self.from[segment + 1] as usize]
-    }
-
-    fn values(&self, segment: usize) -> Vec<Value> {
-        let all = self.from[segment] as usize..self.from[segment + 1] as usize;
-        let value = |i: usize| Value {
-            label: self.texts[self.label[i] as usize].clone(),
-            start: Seconds(self.start[i]),
-            end: Seconds(self.end[i]),
-        };
-        all.map(value).collect()
-    }
 }
 
 fn finite(time: Seconds) -> f64 {

@@ -63,9 +63,11 @@ impl<'a> NearTable<'a> {
     /// The value of a segment and the pattern's part that are nearest to each other, with their distance, for a reason.
     pub(super) fn nearest_value<'i>(&self, index: &'i Index, segment: usize) -> Option<(&'i str, &'a str, f64)> {
         let numbers = index.label_numbers(self.component, segment);
-        let parts = self.distances.iter().zip(self.patterns).flat_map(|(of_pattern, pattern)| {
-            of_pattern.iter().zip(&pattern.parts)
-        });
+        let parts = self
+            .distances
+            .iter()
+            .zip(self.patterns)
+            .flat_map(|(of_pattern, pattern)| of_pattern.iter().zip(&pattern.parts));
         let pairs = parts.flat_map(|(distances, part)| {
             let text = |n: &u32| index.labels(self.component)[*n as usize].text.as_str();
             numbers.iter().map(move |n| (text(n), part.text.as_str(), distances[*n as usize]))

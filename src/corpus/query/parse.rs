@@ -100,7 +100,9 @@ impl<'a> Reader<'a> {
         let mut all = vec![Vec::new()];
         loop {
             let piece = self.cursor.value(bound).map_err(|span| {
-                Diagnostic::fault(span, "this quote has no end").label("opened here").hint("close it with the same quote")
+                Diagnostic::fault(span, "this quote has no end")
+                    .label("opened here")
+                    .hint("close it with the same quote")
             })?;
             if piece.text.trim().is_empty() {
                 return Err(Diagnostic::fault(piece.span, "here a value is missing").label("expected a value"));
@@ -237,7 +239,9 @@ fn no_operator(name: &Piece, at: usize) -> Diagnostic {
 
 fn wrong_operator(field: Field, operator: &str, at: Span) -> Diagnostic {
     let (has, instead) = match field {
-        Field::Duration | Field::Start => ("=, !=, <, <=, > and >=", "a time is near another where two conditions hold"),
+        Field::Duration | Field::Start => {
+            ("=, !=, <, <=, > and >=", "a time is near another where two conditions hold")
+        }
         Field::Gloss | Field::Hand | Field::Recording | Field::Signer => ("= and !=", "only components can be near"),
         Field::Value(_) | Field::Fingers | Field::Palm => ("=, != and ~", "a sequence is written in the value: O>K"),
     };

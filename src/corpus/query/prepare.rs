@@ -111,9 +111,7 @@ impl<'a> Ready<'a> {
                 Some(number) => Truth::of(numbers.contains(&number)),
                 None => Truth::Unknown,
             },
-            Test::Hands(hands) => {
-                hands.iter().map(|hand| is_hand(index, segment, *hand)).max().unwrap_or(Truth::No)
-            }
+            Test::Hands(hands) => hands.iter().map(|hand| is_hand(index, segment, *hand)).max().unwrap_or(Truth::No),
             Test::Values(component, patterns) => {
                 let numbers = index.label_numbers(*component, segment);
                 let truth = |pattern| in_order(index, *component, numbers, pattern);
