@@ -5,8 +5,8 @@
 //! ([`render`]), so that a library user may show them in their own way.
 
 pub mod render;
-pub mod xml;
 pub mod suggest;
+pub mod xml;
 
 use std::fmt;
 use std::ops::Range;

@@ -12,6 +12,7 @@
 
 pub mod configuration;
 pub mod direction;
+pub mod distance;
 pub mod expression;
 pub mod grammar;
 pub mod hand;
