@@ -5,10 +5,7 @@ use super::schedule::Schedule;
 use super::side_of;
 use super::timeline::Timeline;
 use crate::phonology::symmetry::{acts, resolve};
-use crate::phonology::{
-    Action, Channel, Configuration, Contact, ContactKind, Distance, Extent, Hand, HandPoint, HandshapeChange, Keys,
-    Motion, Movement, NonManual, NonManualValue, Opening, Orientation, Place, Placement, Side, Size,
-};
+use crate::phonology::{Channel, Hand, Keys, Side, label};
 use crate::score::plan::{Act, Plan};
 use crate::tier::Tier;
 use crate::time::Seconds;
@@ -34,7 +31,7 @@ pub(super) fn of_plan(plan: &Plan, prepared: &[Prepared], timelines: &[Timeline]
     for over in &plan.spans {
         if let [first, .., last] | [first @ last] = schedule.items.get(over.items.clone()).unwrap_or_default() {
             let tier = tiers.of(&over.channel.title());
-            tier.push(first.stroke, last.hold_end, non_manual_label(&over.value), STATED);
+            tier.push(first.stroke, last.hold_end, label::non_manual(&over.value), STATED);
         }
     }
     tiers.in_order()
@@ -100,21 +97,21 @@ fn of_sign(prepared: &Prepared, timeline: &Timeline, tiers: &mut Tiers) {
         };
         let source = |own: bool| if own { STATED } else { FOLLOWS };
         let tier = tiers.of(&format!("{prefix} Configuration"));
-        keyed(tier, &said.configuration, timeline, configuration_label, source(!own.configuration.is_empty()));
+        keyed(tier, &said.configuration, timeline, label::configuration, source(!own.configuration.is_empty()));
         let tier = tiers.of(&format!("{prefix} Placement"));
-        keyed(tier, &said.placement, timeline, placement_label, source(!own.placement.is_empty()));
+        keyed(tier, &said.placement, timeline, label::placement, source(!own.placement.is_empty()));
         let tier = tiers.of(&format!("{prefix} Orientation"));
-        keyed(tier, &said.orientation, timeline, orientation_label, source(!own.orientation.is_empty()));
+        keyed(tier, &said.orientation, timeline, label::orientation, source(!own.orientation.is_empty()));
         let movement = tiers.of(&format!("{prefix} Movement"));
         for (m, span) in said.movement.iter().zip(timeline.keys.windows(2)) {
-            movement.push(Seconds(span[0]), Seconds(span[1]), movement_label(m), source(!own.movement.is_empty()));
+            movement.push(Seconds(span[0]), Seconds(span[1]), label::movement(m), source(!own.movement.is_empty()));
         }
     }
-    keyed(tiers.of("Contact"), &sign.contact, timeline, contact_label, STATED);
+    keyed(tiers.of("Contact"), &sign.contact, timeline, label::contact, STATED);
     // What the face does holds over all phases.
     let whole = Timeline { hold_end: timeline.sign_end, ..timeline.clone() };
     for (channel, values) in &sign.nonmanual {
-        keyed(tiers.of(&channel.title()), values, &whole, non_manual_label, STATED);
+        keyed(tiers.of(&channel.title()), values, &whole, label::non_manual, STATED);
     }
 }
 
@@ -156,135 +153,5 @@ fn keyed<T>(tier: &mut Tier, keys: &Keys<T>, timeline: &Timeline, label: fn(&T) 
         let start = if i == 0 { timeline.stroke } else { at(*key) };
         let end = stated.get(i + 1).map_or(timeline.hold_end, |(next, _)| at(*next));
         tier.push(Seconds(start), Seconds(end), label(value), source);
-    }
-}
-
-fn configuration_label(c: &Configuration) -> String {
-    let mut label = c.base.clone();
-    if let Some(other) = &c.between {
-        label += &format!("–{}", other.second);
-    }
-    for change in &c.changes {
-        label += match change {
-            HandshapeChange::Thumb(_) => ", thumb",
-            HandshapeChange::Bend(..) => ", bent",
-            HandshapeChange::Spread(true) => ", spread",
-            HandshapeChange::Spread(false) => ", together",
-            HandshapeChange::Cross(..) => ", crossed",
-            HandshapeChange::ThumbBetween(..) => ", thumb between",
-            HandshapeChange::On(_) => ", other fingers",
-            HandshapeChange::Except(_) => ", some fingers left",
-            HandshapeChange::Opening(opening) => match opening {
-                Opening::Tight => ", tight",
-                Opening::Slack => ", slack",
-            },
-            HandshapeChange::Meet(..) => ", fingers touching",
-            HandshapeChange::ThumbAt(_) => ", thumb touching",
-            HandshapeChange::Joints(..) => ", joints bent",
-        };
-    }
-    label
-}
-
-fn placement_label(p: &Placement) -> String {
-    let mut label = place_label(&p.place);
-    if let Some(lateral) = p.lateral {
-        let side = match lateral.side {
-            Side::Left => "left",
-            Side::Right => "right",
-        };
-        label += &format!(" {side}{}", if lateral.beside { " beside" } else { "" });
-    }
-    label += &match p.distance {
-        Distance::Unmarked => String::new(),
-        Distance::Touch => ", touch".to_owned(),
-        Distance::Close => ", close".to_owned(),
-        Distance::Neutral => ", neutral".to_owned(),
-        Distance::Extended => ", extended".to_owned(),
-        Distance::Metres(metres) => format!(", {:.0}cm away", metres * 100.0),
-    };
-    label
-}
-
-fn place_label(place: &Place) -> String {
-    match place {
-        Place::Body(name) => name.clone(),
-        Place::OtherHand(point) => format!("other {point}"),
-        Place::Space(_) => "space".into(),
-        Place::Point(p) => format!("({:.2}, {:.2}, {:.2})", p.x, p.y, p.z),
-        Place::Between(a, b) => format!("{}–{}", place_label(&a.place), place_label(&b.place)),
-        Place::Referent(name) => format!("referent {name}"),
-        Place::Towards(at) => format!("pointing at {}", place_label(at)),
-    }
-}
-
-fn orientation_label(o: &Orientation) -> String {
-    let parts = [o.fingers.map(|h| format!("fingers {h}")), o.palm.map(|h| format!("palm {h}"))];
-    parts.into_iter().flatten().collect::<Vec<_>>().join(", ")
-}
-
-fn movement_label(m: &Movement) -> String {
-    let join = |parts: &[Movement], by: &str| parts.iter().map(movement_label).collect::<Vec<_>>().join(by);
-    match m {
-        Movement::Action(action) => action_label(action),
-        Movement::Sequence(parts) => join(parts, ", then "),
-        Movement::Together(parts) => join(parts, " while "),
-        Movement::Fused(parts) => join(parts, " into "),
-        Movement::Repeated(group) => format!("({}) ×{}", movement_label(&group.movement), group.repetition.times),
-        Movement::Backwards(inner) => format!("backwards {}", movement_label(inner)),
-    }
-}
-
-fn action_label(action: &Action) -> String {
-    let mut label = match &action.motion {
-        Motion::Hold => "hold".into(),
-        Motion::Change => "change".into(),
-        Motion::Return { key: 0 } => "back".into(),
-        Motion::Return { key } => format!("back to key {}", key + 1),
-        Motion::Straight { direction, extent, .. } => format!("{direction}{}", extent_label(*extent)),
-        Motion::Arc { direction, extent, .. } => format!("arc {direction}{}", extent_label(*extent)),
-        Motion::Circle { axis, .. } => format!("circle about {axis}"),
-        Motion::Wrist(motion, _) => motion.name().into(),
-        Motion::Wiggle(_) => "wiggle".to_string(),
-    };
-    if let Some(target) = &action.target {
-        label += &format!(" to {}", placement_label(target));
-    }
-    if let Some(repetition) = action.repetition {
-        label += &format!(" ×{}", repetition.times);
-    }
-    label
-}
-
-fn extent_label(extent: Extent) -> String {
-    match extent {
-        Extent::Size(Size::Small) => " small".into(),
-        Extent::Size(Size::Normal) => String::new(),
-        Extent::Size(Size::Large) => " large".into(),
-        Extent::Metres(metres) => format!(" {:.0}cm", metres * 100.0),
-    }
-}
-
-fn contact_label(c: &Contact) -> String {
-    let kind = match c.kind {
-        ContactKind::Touch => "touches",
-        ContactKind::Close => "near",
-        ContactKind::Crossed => "crossed on",
-        ContactKind::Interlocked => "interlocked with",
-        ContactKind::Metres(_) => "apart from",
-    };
-    let point = |of: Option<HandPoint>| of.map_or_else(|| "hand".to_owned(), |point| point.to_string());
-    format!("{} {kind} {}", point(c.strong), point(c.weak))
-}
-
-fn non_manual_label(n: &NonManual) -> String {
-    let join = |parts: &[NonManual], by: &str| parts.iter().map(non_manual_label).collect::<Vec<_>>().join(by);
-    match &n.value {
-        NonManualValue::Named(name) => name.clone(),
-        NonManualValue::Towards(heading) => format!("towards {heading}"),
-        NonManualValue::At(placement) => format!("at {}", placement_label(placement)),
-        NonManualValue::Mouthing(sounds) => format!("[{sounds}]"),
-        NonManualValue::Sequence(parts) => join(parts, ", then "),
-        NonManualValue::Together(parts) => join(parts, " while "),
     }
 }

@@ -1,0 +1,329 @@
+//! Automatic annotation: the motion of a clip on our rig, measured into phonological tiers.
+//!
+//! Each hand is measured for itself: its phases (`phases`); at its stops the handshape (`configuration`), the place (`placement`) and
+//! where fingers and palm look (`orientation`); between them what it does (`movement`). A synthesized sign that is annotated gives its
+//! description back; how far is measured by `evaluation::annotation`.
+//!
+//! # Conventions
+//! Times from the clip's start. Values have the words of the tiers of a synthesized track ([`crate::phonology::label`]), so that both
+//! compare; the source of each says how far the motion is off the value (`measured: 0.12`), in the unit of its component: configuration
+//! and placement in metres, orientation in radians, movement in the mean distance of its path from the shape, metres.
+//! A hand at rest has no values. Nothing is read but the motion.
+
+mod configuration;
+mod contact;
+mod movement;
+mod moves;
+mod orientation;
+mod phases;
+mod placement;
+mod play;
+mod repetition;
+mod shape;
+mod signals;
+
+use crate::body::measure::HandForms;
+use crate::body::signer::Signer;
+use crate::motion::clip::Clip;
+use crate::motion::pose::ModelPose;
+use crate::phonology::handshape::HandshapeInventory;
+use crate::phonology::location::LocationInventory;
+use crate::phonology::{Contact, HandPoint, Movement, Orientation, Placement, Side, label};
+use crate::tier::Tier;
+use crate::time::Seconds;
+pub use placement::Placer;
+use signals::Signals;
+
+/// How much of a limb a recording has.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Limb {
+    /// Nothing: no tiers.
+    None,
+    /// The hand without an arm: no places and no paths, and no rest; where it looks is as the recording has it.
+    Hand,
+    /// Arm and hand.
+    #[default]
+    Arm,
+}
+
+/// What a recording has of the body.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Coverage {
+    /// The left limb.
+    pub left: Limb,
+    /// The right limb.
+    pub right: Limb,
+}
+
+impl Coverage {
+    /// Both arms and hands.
+    pub const WHOLE: Coverage = Coverage { left: Limb::Arm, right: Limb::Arm };
+
+    /// The limb of a side.
+    pub fn of(self, side: Side) -> Limb {
+        match side {
+            Side::Left => self.left,
+            Side::Right => self.right,
+        }
+    }
+}
+
+/// Knobs of annotation.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Options {
+    /// How far the smoothing window reaches to each side.
+    pub smoothing: Seconds,
+    /// A hand that does less is still, metres a second (its way, a tenth of a metre's turning and its forming together).
+    pub still: f64,
+    /// A hand moves that does as much at its fastest, metres a second.
+    pub least: f64,
+    /// Stillness that lasts as long is a hold.
+    pub hold: Seconds,
+}
+
+impl Default for Options {
+    fn default() -> Options {
+        Options { smoothing: Seconds(0.05), still: 0.06, least: 0.15, hold: Seconds(0.1) }
+    }
+}
+
+/// A phase of a hand's motion.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Phase {
+    /// From rest to where the hand signs.
+    Preparation,
+    /// The hand does something.
+    Stroke,
+    /// The hand is still while it signs.
+    Hold,
+    /// Back to rest.
+    Retraction,
+}
+
+impl Phase {
+    /// Its label, as in the tiers of a track.
+    pub fn name(self) -> &'static str {
+        match self {
+            Phase::Preparation => "preparation",
+            Phase::Stroke => "stroke",
+            Phase::Hold => "hold",
+            Phase::Retraction => "retraction",
+        }
+    }
+}
+
+/// What was measured, and when it holds.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Value<T> {
+    /// When it begins, from the clip's start.
+    pub start: Seconds,
+    /// When it ends.
+    pub end: Seconds,
+    /// The value.
+    pub value: T,
+    /// How far the motion is off it, in the component's unit.
+    pub off: f64,
+}
+
+/// A handshape of the inventory.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Shape {
+    /// Its number in the inventory.
+    pub number: usize,
+    /// Its id.
+    pub id: String,
+}
+
+/// A place, and the point of the hand that is there.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Placed {
+    /// The place.
+    pub placement: Placement,
+    /// The point of the hand that it was measured with.
+    pub with: HandPoint,
+}
+
+/// What one hand does.
+#[derive(Debug, Clone, PartialEq)]
+pub struct HandAnnotation {
+    /// Which hand.
+    pub side: Side,
+    /// Its phases.
+    pub phases: Vec<Value<Phase>>,
+    /// Its handshapes; `off` is the distance of the forms, metres.
+    pub configuration: Vec<Value<Shape>>,
+    /// Where it is; `off` in metres.
+    pub placement: Vec<Value<Placed>>,
+    /// Where fingers and palm look; `off` is the larger of both angles, radians.
+    pub orientation: Vec<Value<Orientation>>,
+    /// What it does; `off` in metres.
+    pub movement: Vec<Value<Movement>>,
+}
+
+/// What was measured of a clip.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Annotation {
+    /// The hands that the recording has, the right one first.
+    pub hands: Vec<HandAnnotation>,
+    /// Where they meet, the right one's point as the strong one's; `off` in metres.
+    pub contact: Vec<Value<Contact>>,
+}
+
+impl Annotation {
+    /// The hand of a side.
+    pub fn hand(&self, side: Side) -> Option<&HandAnnotation> {
+        self.hands.iter().find(|hand| hand.side == side)
+    }
+
+    /// The tiers, named as those of a track (`RH Phase`, `RH Configuration`, …, `Contact`); those without a value are left out.
+    pub fn tiers(&self) -> Vec<Tier> {
+        let mut tiers = Vec::new();
+        for hand in &self.hands {
+            let name = |kind: &str| format!("{} {kind}", if hand.side == Side::Right { "RH" } else { "LH" });
+            tiers.push(tier(name("Phase"), &hand.phases, |phase| phase.name().to_owned()));
+            tiers.push(tier(name("Configuration"), &hand.configuration, |shape| shape.id.clone()));
+            tiers.push(tier(name("Placement"), &hand.placement, |placed| label::placement(&placed.placement)));
+            tiers.push(tier(name("Orientation"), &hand.orientation, label::orientation));
+            tiers.push(tier(name("Movement"), &hand.movement, label::movement));
+        }
+        tiers.push(tier("Contact".to_owned(), &self.contact, label::contact));
+        tiers.retain(|tier| !tier.values().is_empty());
+        tiers
+    }
+}
+
+fn tier<T>(name: String, values: &[Value<T>], label: impl Fn(&T) -> String) -> Tier {
+    let mut tier = Tier::new(name);
+    for value in values {
+        tier.push(value.start, value.end, label(&value.value), format!("measured: {:.3}", value.off));
+    }
+    tier
+}
+
+/// Measures clips of one signer's body; what does not depend on a clip is made once.
+#[derive(Debug, Clone)]
+pub struct Annotator<'a> {
+    signer: &'a Signer,
+    forms: HandForms,
+    placer: Placer<'a>,
+}
+
+impl<'a> Annotator<'a> {
+    /// An annotator that knows these handshapes and places.
+    pub fn new(signer: &'a Signer, handshapes: &HandshapeInventory, locations: &'a LocationInventory) -> Annotator<'a> {
+        Annotator { signer, forms: HandForms::new(handshapes, signer), placer: Placer::new(signer, locations) }
+    }
+
+    /// The forms of the handshapes that it knows.
+    pub fn forms(&self) -> &HandForms {
+        &self.forms
+    }
+
+    /// What tells places.
+    pub fn placer(&self) -> &Placer<'a> {
+        &self.placer
+    }
+
+    /// Measures a clip whose skeleton is the signer's.
+    ///
+    /// A clip of another skeleton (other joints) has no annotation.
+    ///
+    /// ```
+    /// use chereme::corpus::annotate::{Annotator, Coverage, Options};
+    /// use chereme::notation::Lexicon;
+    /// use chereme::synthesis::{self, Grammar};
+    /// let (grammar, signer) = (Grammar::builtin(), chereme::avatar::signer().unwrap());
+    /// let sign = &Lexicon::builtin().find("OUI", Some("lsf")).unwrap().sign.clone();
+    /// let clip = synthesis::synthesize(sign, &grammar, &signer, &synthesis::Options::default()).unwrap().track.clip;
+    /// let annotator = Annotator::new(&signer, &grammar.handshapes, &grammar.locations);
+    /// let tiers = annotator.annotate(&clip, Coverage::WHOLE, &Options::default()).tiers();
+    /// assert_eq!(tiers[0].name, "RH Phase");
+    /// assert_eq!(tiers[0].values()[0].label, "preparation");
+    /// ```
+    pub fn annotate(&self, clip: &Clip, coverage: Coverage, options: &Options) -> Annotation {
+        if clip.skeleton().len() != self.signer.skeleton.len() {
+            return Annotation::default();
+        }
+        let models: Vec<ModelPose> = clip.frames().iter().map(|f| f.pose.to_model(clip.skeleton())).collect();
+        let mut annotation = Annotation::default();
+        let sides = [Side::Right, Side::Left].into_iter().filter(|side| coverage.of(*side) != Limb::None);
+        let all: Vec<(Limb, Signals)> = sides
+            .map(|side| (coverage.of(side), Signals::new(clip, &models, self.signer, side, coverage.of(side), options)))
+            .collect();
+        for (n, (limb, signals)) in all.iter().enumerate() {
+            // Of two hands the one that goes farther goes to the other.
+            let goes = all.get(1 - n.min(1)).is_some_and(|(_, other)| way(signals) >= way(other));
+            annotation.hands.push(self.hand(signals, &models, *limb, all.len() == 2 && goes, options));
+        }
+        if coverage == Coverage::WHOLE {
+            annotation.contact = contact::contacts(&annotation);
+        }
+        annotation
+    }
+
+    fn hand(
+        &self,
+        signals: &Signals,
+        models: &[ModelPose],
+        limb: Limb,
+        goes_to_other: bool,
+        options: &Options,
+    ) -> HandAnnotation {
+        let (phases, signing) = phases::phases(signals, limb, options);
+        let mut hand = HandAnnotation {
+            side: signals.side,
+            phases,
+            configuration: Vec::new(),
+            placement: Vec::new(),
+            orientation: Vec::new(),
+            movement: Vec::new(),
+        };
+        for stretch in signing {
+            let seen = Seen { signals, models, start: stretch.start, end: stretch.end, goes_to_other };
+            let movement = movement::movements(&seen);
+            let wiggling: Vec<(Seconds, Seconds)> =
+                movement.iter().filter(|m| play::wiggles(&m.value)).map(|m| (m.start, m.end)).collect();
+            let shapes = configuration::configurations(&seen, &self.forms, &wiggling);
+            if limb == Limb::Arm {
+                hand.placement.extend(self.placer.placements(&seen, &shapes, &self.forms));
+            }
+            hand.configuration.extend(shapes);
+            hand.orientation.extend(orientation::orientations(&seen));
+            hand.movement.extend(movement);
+        }
+        hand
+    }
+}
+
+/// A stretch of a hand's signing, with everything that is followed of it.
+pub(crate) struct Seen<'s> {
+    signals: &'s Signals,
+    models: &'s [ModelPose],
+    start: usize,
+    end: usize,
+    /// Whether this hand is the one that goes to the other where they meet.
+    goes_to_other: bool,
+}
+
+impl Seen<'_> {
+    /// The instant of a frame.
+    fn time(&self, frame: usize) -> Seconds {
+        self.signals.fps.time_of(crate::time::FrameIndex(frame))
+    }
+}
+
+/// Adds a value, or lets the one before go on where it is the same.
+fn push_or_extend<T>(values: &mut Vec<Value<T>>, value: Value<T>, same: impl Fn(&T, &T) -> bool) {
+    match values.last_mut() {
+        Some(last) if same(&last.value, &value.value) => {
+            last.end = value.end;
+            last.off = last.off.min(value.off);
+        }
+        _ => values.push(value),
+    }
+}
+
+/// How far a hand goes in a clip, metres.
+fn way(signals: &Signals) -> f64 {
+    signals.path_speed.iter().sum::<f64>() / signals.fps.get()
+}

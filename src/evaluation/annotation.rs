@@ -1,0 +1,132 @@
+//! Does annotating a synthesized sign give its description back? Each component of each key held against what was measured there.
+//!
+//! A sign is synthesized and its clip annotated ([`crate::corpus::annotate`]), without a word of times or keys; what the annotation
+//! says at the instant of each key is compared with what the description says.
+//!
+//! # What is right
+//! * *Configuration*: the shape's form is the same as the described one's (no digit's end 4 mm apart), or it is the same as the
+//!   inventory's nearest shape to what the description changes or mixes.
+//! * *Placement*: strictly, the same place on the same side, and the distance one step off at most (touch, close, at ease, extended); a
+//!   description with numbers (`chest, 24cm away, offset up 3cm`) is first given the nearest name. Loosely, the measured place lies within
+//!   5 cm, or half of half the region's width, of the described one.
+//! * *Orientation*: strictly, fingers and palm are each the described one of the 26 directions; loosely, each within 27.5° (half a
+//!   cell and a tolerance of 5°). The palm is meant across the fingers.
+//! * *Movement*: strictly, each described movement of the interval was measured in order, of its kind, its direction (that of the
+//!   path, of the chord, of the axis) within 45°; loosely, its kind. Sizes do not count.
+//! * *Repetition*: as many performances.
+
+mod aggregate;
+mod expected;
+mod key;
+mod motion;
+mod place;
+
+use crate::body::signer::Signer;
+use crate::corpus::annotate::{Annotation, Annotator};
+use crate::phonology::Sign;
+use crate::synthesis::verify::{Finding, verify};
+use crate::synthesis::{Grammar, Performance};
+pub use aggregate::{Confusion, Share, Tally};
+
+/// What is judged.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Judged {
+    /// The hand's shape.
+    Configuration,
+    /// Where it is.
+    Placement,
+    /// Where the fingers look.
+    Fingers,
+    /// Where the palm looks.
+    Palm,
+    /// Both of them.
+    Orientation,
+    /// What the hand does.
+    Movement,
+    /// How often it does so.
+    Repetition,
+}
+
+impl Judged {
+    /// All, in the order of a table.
+    pub const ALL: [Judged; 7] = [
+        Judged::Configuration,
+        Judged::Placement,
+        Judged::Orientation,
+        Judged::Fingers,
+        Judged::Palm,
+        Judged::Movement,
+        Judged::Repetition,
+    ];
+
+    /// In a word.
+    pub fn name(self) -> &'static str {
+        match self {
+            Judged::Configuration => "configuration",
+            Judged::Placement => "placement",
+            Judged::Fingers => "fingers",
+            Judged::Palm => "palm",
+            Judged::Orientation => "orientation",
+            Judged::Movement => "movement",
+            Judged::Repetition => "repetition",
+        }
+    }
+}
+
+/// One value of a description held against what was measured.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Judgement {
+    /// The component.
+    pub judged: Judged,
+    /// What the description says, in the words of a tier.
+    pub described: String,
+    /// What was measured there; `nothing` where nothing was.
+    pub measured: String,
+    /// Right in the strict sense.
+    pub strict: bool,
+    /// Right in the loose sense; whatever is strictly right is so too.
+    pub loose: bool,
+    /// The synthesis itself reports at this key that it could not do what was said: out of reach, beyond the wrist's limits, or a
+    /// finding of its check.
+    pub excepted: bool,
+}
+
+/// Holds an annotation of a sign's motion against its description.
+///
+/// ```
+/// use chereme::corpus::annotate::{self, Annotator, Coverage};
+/// use chereme::evaluation::annotation::{Judged, judge};
+/// use chereme::notation::Lexicon;
+/// use chereme::synthesis::{Grammar, Options, synthesize};
+/// let (grammar, signer) = (Grammar::builtin(), chereme::avatar::signer().unwrap());
+/// let sign = &Lexicon::builtin().find("BOL", Some("lsf")).unwrap().sign.clone();
+/// let performance = synthesize(sign, &grammar, &signer, &Options::default()).unwrap();
+/// let annotator = Annotator::new(&signer, &grammar.handshapes, &grammar.locations);
+/// let annotation = annotator.annotate(&performance.track.clip, Coverage::WHOLE, &annotate::Options::default());
+/// let judgements = judge(sign, &performance, &annotation, &annotator, &grammar, &signer);
+/// let shapes = || judgements.iter().filter(|j| j.judged == Judged::Configuration);
+/// assert!(shapes().count() >= 2 && shapes().all(|j| j.strict));
+/// ```
+pub fn judge(
+    sign: &Sign,
+    performance: &Performance,
+    annotation: &Annotation,
+    annotator: &Annotator,
+    grammar: &Grammar,
+    signer: &Signer,
+) -> Vec<Judgement> {
+    let findings = verify(sign, performance, grammar, signer);
+    let judge = Judge { sign, performance, annotation, annotator, grammar, signer, findings };
+    judge.all()
+}
+
+/// What judging needs.
+struct Judge<'a> {
+    sign: &'a Sign,
+    performance: &'a Performance,
+    annotation: &'a Annotation,
+    annotator: &'a Annotator<'a>,
+    grammar: &'a Grammar,
+    signer: &'a Signer,
+    findings: Vec<Finding>,
+}
