@@ -8,6 +8,9 @@ use crate::phonology::Distance;
 /// One hand before the middle of the body is a little to its own side, arm lengths.
 pub const ONE_HAND_ARMS: f64 = 0.01;
 
+/// How much farther before the body two hands meet than one hand is, arm lengths.
+pub const MEETING_OUT_ARMS: f64 = 0.016;
+
 /// The signing space before a region of the body: how far out it is, and how far to the sides; arm lengths from the middle of
 /// the shoulders.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -9,8 +9,8 @@
 //! ```
 
 use super::{
-    Action, Configuration, Contact, ContactKind, Distance, Extent, HandPoint, HandshapeChange, Motion, Movement,
-    NonManual, NonManualValue, Opening, Orientation, Place, Placement, Side, Size, Space,
+    Action, Configuration, Contact, ContactKind, Distance, Extent, HandPoint, HandshapeChange, Lateral, Motion,
+    Movement, NonManual, NonManualValue, Opening, Orientation, Place, Placement, Side, Sited, Size, Space,
 };
 
 /// The label of a configuration: its base, and in a word what is changed.
@@ -44,13 +44,7 @@ pub fn configuration(c: &Configuration) -> String {
 /// The label of a placement: the place, its side, how near (`chest left, touch`).
 pub fn placement(p: &Placement) -> String {
     let mut label = of_place(&p.place);
-    if let Some(lateral) = p.lateral {
-        let side = match lateral.side {
-            Side::Left => "left",
-            Side::Right => "right",
-        };
-        label += &format!(" {side}{}", if lateral.beside { " beside" } else { "" });
-    }
+    label += &of_side(p.lateral);
     label += &match p.distance {
         Distance::Unmarked => String::new(),
         Distance::Touch => ", touch".to_owned(),
@@ -62,13 +56,26 @@ pub fn placement(p: &Placement) -> String {
     label
 }
 
+fn of_side(lateral: Option<Lateral>) -> String {
+    lateral.map_or(String::new(), |l| {
+        let side = match l.side {
+            Side::Left => "left",
+            Side::Right => "right",
+        };
+        format!(" {side}{}", if l.beside { " beside" } else { "" })
+    })
+}
+
 fn of_place(place: &Place) -> String {
     match place {
         Place::Body(name) => name.clone(),
         Place::OtherHand(point) => format!("other {point}"),
         Place::Space(cell) => space(*cell),
         Place::Point(p) => format!("({:.2}, {:.2}, {:.2})", p.x, p.y, p.z),
-        Place::Between(a, b) => format!("{}–{}", of_place(&a.place), of_place(&b.place)),
+        Place::Between(a, b) => {
+            let half = |sited: &Sited| format!("{}{}", of_place(&sited.place), of_side(sited.lateral));
+            format!("{}–{}", half(a), half(b))
+        }
         Place::Referent(name) => format!("referent {name}"),
         Place::Towards(at) => format!("pointing at {}", of_place(at)),
     }

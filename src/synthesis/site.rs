@@ -5,7 +5,7 @@ use super::plan::{Instead, Known, Planner};
 use super::posture::Part;
 use super::shape::within;
 use super::side_of;
-use crate::body::signing_space::{ONE_HAND_ARMS, before_the_body};
+use crate::body::signing_space::{MEETING_OUT_ARMS, ONE_HAND_ARMS, before_the_body};
 use crate::diagnostics::Error;
 use crate::phonology::symmetry::resolve;
 use crate::phonology::{Distance, Hand, HandPoint, Hands, Lateral, Place, Placement, Side, Sign, Sited, Symmetry};
@@ -39,9 +39,6 @@ impl<'s> Asker<'s> {
         Asker { sign: part.sign, side: side_of(part.hand), meeting, instead: part.instead }
     }
 }
-
-/// How much farther before the body two hands meet than one hand is, arm lengths (docs/reference.md).
-const MEETING_OUT_ARMS: f64 = 0.016;
 
 impl Planner<'_> {
     /// Out of the skin where a placement touches the body, model space.

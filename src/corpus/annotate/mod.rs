@@ -17,21 +17,22 @@ mod moves;
 mod orientation;
 mod phases;
 mod placement;
+mod placer;
 mod play;
 mod repetition;
 mod shape;
 mod signals;
 
-use crate::body::measure::HandForms;
+use crate::body::measure::{HandForm, HandForms};
 use crate::body::signer::Signer;
 use crate::motion::clip::Clip;
 use crate::motion::pose::ModelPose;
 use crate::phonology::handshape::HandshapeInventory;
 use crate::phonology::location::LocationInventory;
-use crate::phonology::{Contact, HandPoint, Movement, Orientation, Placement, Side, label};
+use crate::phonology::{Contact, HandPoint, Movement, Orientation, Place, Placement, Side, label};
 use crate::tier::Tier;
 use crate::time::Seconds;
-pub use placement::Placer;
+pub use placer::{Meeting, Placer};
 use signals::Signals;
 
 /// How much of a limb a recording has.
@@ -141,6 +142,21 @@ pub struct Placed {
     pub placement: Placement,
     /// The point of the hand that it was measured with.
     pub with: HandPoint,
+    /// Where the hand is on the other one, if it is.
+    pub meeting: Option<Meeting>,
+}
+
+impl Placed {
+    /// A place where no hands meet.
+    fn at(placement: Placement, with: HandPoint) -> Placed {
+        Placed { placement, with, meeting: None }
+    }
+
+    /// The place on the other hand, where that is the hand's place.
+    pub fn on_other(&self) -> Option<Placement> {
+        let met = self.meeting.filter(|met| met.is_place)?;
+        Some(Placement { distance: met.distance, ..Placement::at(Place::OtherHand(met.other)) })
+    }
 }
 
 /// What one hand does.
@@ -156,8 +172,10 @@ pub struct HandAnnotation {
     pub placement: Vec<Value<Placed>>,
     /// Where fingers and palm look; `off` is the larger of both angles, radians.
     pub orientation: Vec<Value<Orientation>>,
-    /// What it does; `off` in metres.
+    /// What it does; `off` in metres. Moves that come again are one.
     pub movement: Vec<Value<Movement>>,
+    /// The same move by move, before those that come again are joined.
+    pub moves: Vec<Value<Movement>>,
 }
 
 /// What was measured of a clip.
@@ -182,7 +200,9 @@ impl Annotation {
             let name = |kind: &str| format!("{} {kind}", if hand.side == Side::Right { "RH" } else { "LH" });
             tiers.push(tier(name("Phase"), &hand.phases, |phase| phase.name().to_owned()));
             tiers.push(tier(name("Configuration"), &hand.configuration, |shape| shape.id.clone()));
-            tiers.push(tier(name("Placement"), &hand.placement, |placed| label::placement(&placed.placement)));
+            tiers.push(tier(name("Placement"), &hand.placement, |placed| {
+                label::placement(placed.on_other().as_ref().unwrap_or(&placed.placement))
+            }));
             tiers.push(tier(name("Orientation"), &hand.orientation, label::orientation));
             tiers.push(tier(name("Movement"), &hand.movement, label::movement));
         }
@@ -277,19 +297,25 @@ impl<'a> Annotator<'a> {
             placement: Vec::new(),
             orientation: Vec::new(),
             movement: Vec::new(),
+            moves: Vec::new(),
+        };
+        let own = |form: &HandForm| {
+            let shape = self.forms.nearest(form)?.shape;
+            self.signer.landmarks.hand_point(signals.side, self.forms.shapes()[shape].touches_with).ok()
         };
         for stretch in signing {
             let seen = Seen { signals, models, start: stretch.start, end: stretch.end, goes_to_other };
-            let movement = movement::movements(&seen);
+            let movement = movement::movements(&seen, &own);
             let wiggling: Vec<(Seconds, Seconds)> =
-                movement.iter().filter(|m| play::wiggles(&m.value)).map(|m| (m.start, m.end)).collect();
+                movement.moves.iter().filter(|m| play::wiggles(&m.value)).map(|m| (m.start, m.end)).collect();
             let shapes = configuration::configurations(&seen, &self.forms, &wiggling);
             if limb == Limb::Arm {
-                hand.placement.extend(self.placer.placements(&seen, &shapes, &self.forms));
+                hand.placement.extend(placement::placements(&seen, &shapes, &self.forms, &self.placer));
             }
             hand.configuration.extend(shapes);
             hand.orientation.extend(orientation::orientations(&seen));
-            hand.movement.extend(movement);
+            hand.movement.extend(movement.joined);
+            hand.moves.extend(movement.moves);
         }
         hand
     }

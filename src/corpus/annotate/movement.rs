@@ -7,7 +7,10 @@ use super::moves::{Move, Thresholds, moves};
 use super::repetition::{Part, joined};
 use super::shape::{LEAST_WAY_M, shape_of};
 use super::{Seen, Value, play};
+use crate::body::landmarks::ContactPoint;
+use crate::body::measure::HandForm;
 use crate::motion::profile::length;
+use crate::motion::rotation::angle_between;
 use crate::phonology::{Action, Motion, Movement};
 use glam::DVec3;
 
@@ -15,33 +18,45 @@ use glam::DVec3;
 const GOING: Thresholds = Thresholds { still: 0.03, least: 0.08, valley: 0.35 };
 /// Shorter stretches between two ways are none, seconds.
 const LEAST_S: f64 = 0.12;
-/// A hand turns about a point that goes less than this part of the palm's way.
+/// A hand turns about a point that goes less than this part of the palm's way, where that is short.
 const PIVOT: f64 = 0.4;
+/// A point stands that goes less than this part of the palm's way.
+const STANDS: f64 = 0.2;
+/// A hand that turns farther on its way has points with different ways, radians (6°).
+const TURNS_ON_ITS_WAY: f64 = 0.1;
+/// How much plainer the way of another point must be than the palm's, as a part of the way.
+const NOT_THE_PALM: f64 = 0.015;
 /// A hand that turns farther than this changes, radians (15°).
 const TURNS: f64 = 0.26;
 /// A hand changes whose digits' ends go farther than this, metres.
 const FORMS_M: f64 = 0.012;
 
-/// The movements of a stretch, in order.
-pub(super) fn movements(seen: &Seen) -> Vec<Value<Movement>> {
+/// The movements of a stretch, in order: each move for itself, and those that come again as one.
+pub(super) struct Movements {
+    pub moves: Vec<Value<Movement>>,
+    pub joined: Vec<Value<Movement>>,
+}
+
+/// The movements of a stretch; `own` finds the point with which a form touches.
+pub(super) fn movements(seen: &Seen, own: &impl Fn(&HandForm) -> Option<ContactPoint>) -> Movements {
     if seen.end <= seen.start {
-        return Vec::new();
+        return Movements { moves: Vec::new(), joined: Vec::new() };
     }
-    let parts = joined(parts(seen));
-    let value = |part: Part| Value {
+    let value = |part: &Part| Value {
         start: seen.time(part.from),
         end: seen.time(part.to),
-        value: part.movement,
+        value: part.movement.clone(),
         off: part.off,
     };
-    parts.into_iter().map(value).collect()
+    let parts = parts(seen, own);
+    Movements { moves: parts.iter().map(value).collect(), joined: joined(parts).iter().map(value).collect() }
 }
 
 /// The moves one by one, ways and what lies between them.
-fn parts(seen: &Seen) -> Vec<Part> {
+fn parts(seen: &Seen, own: &impl Fn(&HandForm) -> Option<ContactPoint>) -> Vec<Part> {
     let all = moves(&seen.signals.path_speed, GOING);
-    let ways: Vec<Part> =
-        all.iter().filter(|m| m.peak > seen.start && m.peak < seen.end).filter_map(|m| way(seen, m)).collect();
+    let inside: Vec<Move> = all.into_iter().filter(|m| m.peak > seen.start && m.peak < seen.end).collect();
+    let ways = rounded(seen, &inside).into_iter().filter_map(|m| way(seen, &m, own));
     let mut parts = Vec::new();
     let mut at = seen.start;
     let long = |from: usize, to: usize| to > from && (to - from) as f64 / seen.signals.fps.get() > LEAST_S;
@@ -55,20 +70,77 @@ fn parts(seen: &Seen) -> Vec<Part> {
     if long(at, seen.end) {
         parts.extend(in_place(seen, at, seen.end));
     }
+    // The holds before and after what a hand does are phases, and no movements.
+    let held = |part: &Part| matches!(&part.movement, Movement::Action(action) if action.motion == Motion::Hold);
+    if parts.iter().any(|part| !held(part)) {
+        let first = parts.iter().position(|part| !held(part)).unwrap_or(0);
+        let last = parts.iter().rposition(|part| !held(part)).unwrap_or(parts.len() - 1);
+        parts = parts[first..=last].to_vec();
+    }
     parts
 }
 
-/// One move of the palm, where it is a way.
-fn way(seen: &Seen, of: &Move) -> Option<Part> {
+/// Moves with those made one that draw something round together: narrow ellipses are slow at their ends.
+fn rounded(seen: &Seen, moves: &[Move]) -> Vec<Move> {
+    let palm = &seen.signals.palm;
+    let is_round = |from: usize, to: usize| {
+        let drawn = shape_of(&palm[from..=to]);
+        drawn.is_some_and(|d| matches!(d.motion, Motion::Circle { .. }) && d.unlike < 0.12)
+    };
+    let mut out: Vec<Move> = Vec::new();
+    let mut rest = moves;
+    while let [first, ..] = rest {
+        // Two or three moves without a stop between them, none of them round.
+        let joins = |n: &usize| {
+            let some = &rest[..*n];
+            let flows = some.windows(2).all(|w| w[1].start <= w[0].end + 1);
+            flows && !some.iter().any(|m| is_round(m.start, m.end)) && is_round(first.start, some[n - 1].end)
+        };
+        let taken = (2..=rest.len().min(3)).find(joins).unwrap_or(1);
+        let fastest = rest[..taken].iter().max_by(|a, b| {
+            let speed = |m: &Move| seen.signals.path_speed[m.peak];
+            speed(a).total_cmp(&speed(b))
+        });
+        out.push(Move { start: first.start, peak: fastest.unwrap_or(first).peak, end: rest[taken - 1].end });
+        rest = &rest[taken..];
+    }
+    out
+}
+
+/// One move of the hand, where it is a way.
+///
+/// The hand that turns on its way has points with many ways: that of the plainest shape is told.
+fn way(seen: &Seen, of: &Move, own: &impl Fn(&HandForm) -> Option<ContactPoint>) -> Option<Part> {
     let (from, to) = (of.start.max(seen.start), of.end.min(seen.end));
     let signals = seen.signals;
     let palm = &signals.palm[from..=to];
     let whole = length(palm);
-    let pivots = [&signals.wrist, &signals.front].iter().any(|point| length(&point[from..=to]) < PIVOT * whole);
-    if whole < LEAST_WAY_M || (pivots && whole < 0.1) {
+    if whole < LEAST_WAY_M {
         return None;
     }
-    let drawn = shape_of(palm)?;
+    let touching = [from, to].into_iter().filter_map(|i| own(&signals.forms[i]));
+    let followed = |point: ContactPoint| -> Vec<DVec3> {
+        (from..=to).map(|i| point.position(&seen.models[i]) - signals.origins[i]).collect()
+    };
+    let mut ways = vec![palm.to_vec(), signals.wrist[from..=to].to_vec(), signals.front[from..=to].to_vec()];
+    ways.extend(touching.map(followed));
+    let turned = angle_between(signals.rotations[from], signals.rotations[to]) > TURNS_ON_ITS_WAY
+        || play::formed(&signals.forms[from], &signals.forms[to]) > FORMS_M;
+    let still = |way: &Vec<DVec3>| {
+        let own = length(way);
+        own < STANDS * whole || own < PIVOT * whole && whole < 0.1
+    };
+    if turned && ways.iter().any(still) || play::wrist(seen, from, to).is_some() && ways.iter().any(still) {
+        return None;
+    }
+    let candidates = if turned { &ways[..] } else { &ways[..1] };
+    let drawn = candidates.iter().enumerate().filter_map(|(n, way)| {
+        let drawn = shape_of(way)?;
+        // The palm's way unless another is plainer; a short way of another point says little.
+        let aside = if n == 0 { 0.0 } else { NOT_THE_PALM + (whole / length(way).max(1e-9) - 1.0).max(0.0) * 0.02 };
+        Some((drawn.unlike + aside, drawn))
+    });
+    let (_, drawn) = drawn.min_by(|a, b| a.0.total_cmp(&b.0))?;
     let movement = Movement::Action(Box::new(Action::new(drawn.motion)));
     Some(Part { from, to, movement: with_play(seen, from, to, movement), chord: drawn.chord, off: drawn.off })
 }
@@ -81,6 +153,12 @@ fn with_play(seen: &Seen, from: usize, to: usize, way: Movement) -> Movement {
         all.push(Movement::Action(Box::new(Action::new(Motion::Wiggle(playing)))));
     }
     if let Some(play) = play::wrist(seen, from, to) {
+        // A palm that swings with its wrist draws no waves of its own.
+        if let Movement::Action(action) = &mut all[0]
+            && let Motion::Straight { overlay, .. } = &mut action.motion
+        {
+            *overlay = None;
+        }
         all.push(play.movement());
     }
     if all.len() == 1 { all.remove(0) } else { Movement::Together(all) }
@@ -103,7 +181,7 @@ fn in_place(seen: &Seen, from: usize, to: usize) -> Option<Part> {
         return Some(part(Motion::Wiggle(playing)));
     }
     let signals = seen.signals;
-    let turned = crate::motion::rotation::angle_between(signals.rotations[from], signals.rotations[to]);
+    let turned = angle_between(signals.rotations[from], signals.rotations[to]);
     let formed = play::formed(&signals.forms[from], &signals.forms[to]);
     Some(part(if turned > TURNS || formed > FORMS_M { Motion::Change } else { Motion::Hold }))
 }

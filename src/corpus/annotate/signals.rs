@@ -37,6 +37,8 @@ pub(super) struct Signals {
     pub fingers: Vec<DVec3>,
     /// Where the palm faces, unit.
     pub facing: Vec<DVec3>,
+    /// Where the body's root is, which is taken from every point.
+    pub origins: Vec<DVec3>,
     /// The hand's rotation, not smoothed.
     pub rotations: Vec<DQuat>,
     /// The form of the hand.
@@ -89,6 +91,7 @@ impl Signals {
         Signals {
             side,
             fps,
+            origins: (0..count).map(origin).collect(),
             rotations: (0..count).map(rotation).collect(),
             hangs: (0..count).map(hang).collect(),
             palm,

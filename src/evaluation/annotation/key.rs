@@ -13,6 +13,7 @@ use glam::DVec3;
 /// One hand's part of one phase of a sign, with its instants.
 pub(super) struct Part<'a> {
     pub phase: &'a Sign,
+    pub hand: Hand,
     pub side: Side,
     pub said: Resolved,
     /// The instants of its keys.
@@ -47,7 +48,7 @@ impl Judge<'_> {
                 // A hand that is half a cycle behind is not at its keys when the other one is.
                 let behind = said.movement.iter().any(|m| m.any_action(&|action| said.turns.behind(action)));
                 let Some(measured) = self.annotation.hand(side).filter(|_| !behind) else { continue };
-                let part = Part { phase, side, said, keys: keys.clone(), measured };
+                let part = Part { phase, hand, side, said, keys: keys.clone(), measured };
                 self.part(&part, &mut all);
             }
         }

@@ -20,8 +20,9 @@ impl Judge<'_> {
         let (from, to) = (part.keys[interval].0, part.keys[interval + 1].0);
         let inside: Vec<&Value<Movement>> =
             part.measured.movement.iter().filter(|v| shared(v, from, to) > 0.5).collect();
+        let moves = part.measured.moves.iter().filter(|v| shared(v, from, to) > 0.5);
         let measured: Vec<(Primitive, u8)> =
-            inside.iter().flat_map(|v| unfolded(&v.value)).flat_map(|m| primitives(&m, DVec3::ONE, table)).collect();
+            moves.flat_map(|v| unfolded(&v.value)).flat_map(|m| primitives(&m, DVec3::ONE, table)).collect();
         let led = self.led(part, interval);
         let alike = |kind_only: bool| in_order(&described, &measured, led, kind_only);
         let (strict, loose) = (alike(false), alike(true));
@@ -42,7 +43,8 @@ impl Judge<'_> {
         // How often is asked of what was recognised.
         let times = |all: &[(Primitive, u8)]| all.iter().map(|(_, n)| *n).max().unwrap_or(1);
         if strict && !measured.is_empty() && described.iter().any(|(p, n)| *n > 1 && p.is_way()) {
-            let same = times(&described) == times(&measured);
+            let joined: Vec<_> = inside.iter().flat_map(|v| primitives(&v.value, DVec3::ONE, table)).collect();
+            let same = times(&described) == times(&joined);
             all.push(judgement(Judged::Repetition, label::movement(said), measured_label, same, same));
         }
         all

@@ -3,7 +3,9 @@
 use super::key::{Part, at};
 use super::{Judge, Judged, Judgement};
 use crate::motion::pose::ModelPose;
+use crate::corpus::annotate::Placed;
 use crate::phonology::operator::touches;
+use crate::phonology::symmetry::points;
 use crate::phonology::{Distance, HandPoint, Hands, Lateral, Movement, Place, Placement, Side, label};
 use crate::synthesis::plan::{Known, Planner};
 use glam::DVec3;
@@ -27,13 +29,15 @@ impl Judge<'_> {
         let found = at(&part.measured.placement, part.keys[key]);
         let names = self.names(part, &described, &body);
         let landmarks = &self.signer.landmarks;
-        let strict = found.is_some_and(|v| names.iter().any(|name| self.same(part, name, &v.value.placement)));
+        let said = |v: &Placed| [Some(v.placement.clone()), on_other(v)];
+        let strict = found.is_some_and(|v| {
+            let said = said(&v.value);
+            names.iter().any(|name| said.iter().flatten().any(|said| self.same(part, name, said)))
+        });
         let near = found.and_then(|v| {
+            let other = on_other(&v.value).filter(|_| matches!(described.placement.place, Place::OtherHand(_)));
             let point = |p: HandPoint| landmarks.hand_point(part.side, p).ok().map(|c| c.position(&body));
-            let place = match v.value.placement.place {
-                Place::OtherHand(p) => landmarks.hand_point(part.side.other(), p).ok()?.position(&body),
-                _ => self.annotator.placer().point_of(&v.value.placement, part.side, &body)?,
-            };
+            let place = self.annotator.placer().point_of(other.as_ref().unwrap_or(&v.value.placement), part.side, &body)?;
             Some((place + point(described.with)? - point(v.value.with)?).distance(described.at))
         });
         let wide = match &described.placement.place {
@@ -44,7 +48,10 @@ impl Judge<'_> {
         Some(Judgement {
             judged: Judged::Placement,
             described: label::placement(&described.placement),
-            measured: found.map_or("nothing".into(), |v| label::placement(&v.value.placement)),
+            measured: found.map_or("nothing".into(), |v| {
+                let [place, other] = said(&v.value).map(|p| p.map_or(String::new(), |p| label::placement(&p)));
+                if other.is_empty() { place } else { format!("{place} / {other}") }
+            }),
             strict,
             loose: strict || near.is_some_and(|near| near < tolerance),
             excepted: self.excepted(part, key),
@@ -64,16 +71,20 @@ impl Judge<'_> {
         let planner = Planner { grammar: self.grammar, signer: self.signer, neutral: body };
         let meets = part.phase.contact.stated(key).is_some();
         let anchor = planner.place_of_hand(&placement, (part.phase, part.side), meets, &mut Known::default()).ok()?;
-        let with = match placement.with {
+        let own = part.phase.contact.stated(key).and_then(|contact| points(contact, part.hand).0);
+        let with = match placement.with.or(own) {
             Some(point) => point,
-            None if touches(&placement, &self.grammar.locations) => {
-                let shape = self.described_shape(part, key)?;
-                let language = (!part.phase.language.is_empty()).then_some(part.phase.language.as_str());
-                self.grammar.handshapes.touches_with(&shape, language).ok()?
-            }
+            None if meets => self.shape_touches_with(part, key)?,
+            None if touches(&placement, &self.grammar.locations) => self.shape_touches_with(part, key)?,
             None => HandPoint::PALM,
         };
         Some(Sited { at: anchor.position(body), placement, with })
+    }
+
+    fn shape_touches_with(&self, part: &Part, key: usize) -> Option<HandPoint> {
+        let shape = self.described_shape(part, key)?;
+        let language = (!part.phase.language.is_empty()).then_some(part.phase.language.as_str());
+        self.grammar.handshapes.touches_with(&shape, language).ok()
     }
 
     /// The names of a described place: itself, or the nearest name where it is said in numbers.
@@ -131,7 +142,11 @@ impl Judge<'_> {
             }
             place => vec![named(place, p.lateral)?],
         };
-        sites.sort_by_key(|(name, side)| (name.clone(), side.map(|(s, b)| (s == Side::Left, b))));
+        // The middle of the chest and the right shoulder is that of the right chest and the shoulders.
+        let mut sides: Vec<_> = sites.iter().map(|(_, side)| *side).collect();
+        sites.sort_by(|a, b| a.0.cmp(&b.0));
+        sides.sort_by_key(|side| side.map(|(s, beside)| (s == Side::Left, beside)));
+        let sites = sites.into_iter().zip(sides).map(|((name, _), side)| (name, side)).collect();
         Some(sites)
     }
 
@@ -166,6 +181,12 @@ impl Judge<'_> {
             }
         }
     }
+}
+
+/// The place on the other hand, wherever the hands are.
+fn on_other(placed: &Placed) -> Option<Placement> {
+    let met = placed.meeting?;
+    Some(Placement { distance: met.distance, ..Placement::at(Place::OtherHand(met.other)) })
 }
 
 /// The place that a movement ends at, where it says so.
