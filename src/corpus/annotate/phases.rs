@@ -17,14 +17,20 @@ pub(super) struct Signing {
 pub(super) fn phases(signals: &Signals, limb: Limb, options: &Options) -> (Vec<Value<Phase>>, Vec<Signing>) {
     let activity = signals.activity();
     let all = moves(&activity, Thresholds { still: options.still, least: options.least, valley: 0.4 });
+    // The ways from and to rest are told by the arm: fingers may play before it has come.
+    let ways = match limb {
+        Limb::Arm => moves(&signals.path_speed, Thresholds { still: options.still, least: options.least, valley: 0.4 }),
+        Limb::Hand | Limb::None => all.clone(),
+    };
     let mut told = Teller { signals, values: Vec::new() };
     let mut stretches = Vec::new();
     for (from, to) in raised(signals, limb) {
         let last = activity.len() - 1;
         let inner: Vec<Move> = all.iter().copied().filter(|m| m.end > from && m.start < to).collect();
         // A hand that is raised from the first frame on has no preparation, and one that stays raised no retraction.
-        let comes = inner.first().filter(|m| from > 0 && m.start <= from);
-        let goes = inner.last().filter(|m| to < last && m.end >= to);
+        let whole: Vec<Move> = ways.iter().copied().filter(|m| m.end > from && m.start < to).collect();
+        let comes = whole.first().filter(|m| from > 0 && m.start <= from);
+        let goes = whole.last().filter(|m| to < last && m.end >= to);
         let start = comes.map_or(from, |m| m.end);
         let end = goes.map_or(to, |m| m.start);
         if let Some(m) = comes {
@@ -81,9 +87,9 @@ impl Teller<'_> {
         let long = (options.hold.0 * fps).max(1.0) as usize;
         let mut stroke: Option<(usize, usize)> = None;
         let mut at = start;
-        let strokes = inner.iter().filter(|m| m.start >= start && m.end <= end);
-        for m in strokes {
-            let gap = m.start - at;
+        let within = |m: &Move| Move { start: m.start.max(start), peak: m.peak, end: m.end.min(end) };
+        for m in inner.iter().filter(|m| m.peak > start && m.peak < end).map(within) {
+            let gap = m.start.saturating_sub(at);
             match stroke {
                 Some((from, _)) if gap < long => stroke = Some((from, m.end)),
                 Some((from, to)) => {

@@ -13,6 +13,9 @@ use glam::DVec3;
 /// The loose sense: so near, metres, or half of half the region's width.
 const NEAR_M: f64 = 0.05;
 
+/// Names are of one place that are so near, metres.
+const SAME_M: f64 = 0.015;
+
 /// A described place, made concrete.
 pub(super) struct Sited {
     pub placement: Placement,
@@ -36,10 +39,13 @@ impl Judge<'_> {
         });
         let near = found.and_then(|v| {
             let other = on_other(&v.value).filter(|_| matches!(described.placement.place, Place::OtherHand(_)));
+            let placed = Placed { placement: other.unwrap_or(v.value.placement.clone()), ..v.value.clone() };
             let point = |p: HandPoint| landmarks.hand_point(part.side, p).ok().map(|c| c.position(&body));
-            let place = self.annotator.placer().point_of(other.as_ref().unwrap_or(&v.value.placement), part.side, &body)?;
+            let place = self.annotator.placer().point_of(&placed, part.side, &body)?;
             Some((place + point(described.with)? - point(v.value.with)?).distance(described.at))
         });
+        // Several names may mean one place: halfway from the middle to beside a side is at that side.
+        let strict = strict || near.is_some_and(|near| near < SAME_M);
         let wide = match &described.placement.place {
             Place::Body(name) => self.grammar.locations.get(name).map_or(0.0, |row| row.half_width_arms),
             _ => 0.0,

@@ -2,6 +2,7 @@
 
 use super::super::Placed;
 use super::Placer;
+use super::space::Hands;
 use crate::motion::pose::ModelPose;
 use crate::phonology::{Distance, HandPoint, Side};
 use glam::DVec3;
@@ -31,7 +32,7 @@ impl Placer<'_> {
     pub fn place_of_meeting(&self, side: Side, met: Meeting, model: &ModelPose) -> Option<(Placed, f64)> {
         let (own, other) = (self.point(side, met.with, model)?, self.point(side.other(), met.other, model)?);
         let middle = (own + other) / 2.0;
-        let found = self.at_skin((met.with, middle), &[], model).or_else(|| self.in_space(side, middle, model));
+        let found = self.at_skin((met.with, middle), &[], model).or_else(|| self.in_space(side, Hands::Meeting, middle, model));
         found.map(|(placed, off)| (Placed { with: met.with, ..placed }, off))
     }
 

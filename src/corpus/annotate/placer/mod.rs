@@ -17,6 +17,7 @@ use crate::phonology::{Digit, Digits, Distance, HandPart, HandPoint, Lateral, Pl
 use glam::DVec3;
 pub use meeting::Meeting;
 use skin::OnSkin;
+use space::Hands;
 
 /// Palms are mirrored that are so near to where a mirror at the middle of the body would put them, metres.
 const MIRRORED_M: f64 = 0.06;
@@ -49,12 +50,12 @@ impl<'a> Placer<'a> {
         let own_at = self.point(side, own, model)?;
         let others = self.posed(side, model);
         let touching = self.at_skin((own, own_at), &others, model);
-        touching.or_else(|| self.in_space(side, self.point(side, HandPoint::PALM, model)?, model))
+        touching.or_else(|| self.in_space(side, self.hands(model), self.point(side, HandPoint::PALM, model)?, model))
     }
 
     /// The name of a place at which a point of a hand would be, and the palm at another; and how far it is from there, metres.
     pub fn name(&self, side: Side, own: (HandPoint, DVec3), palm: DVec3, model: &ModelPose) -> Option<(Placed, f64)> {
-        self.at_skin(own, &[], model).or_else(|| self.in_space(side, palm, model))
+        self.at_skin(own, &[], model).or_else(|| self.in_space(side, self.hands(model), palm, model))
     }
 
     /// The place of some, in space, that a hand's palm is nearest to: as one chooses who is shown pictures of them. `None` of none.
@@ -69,7 +70,8 @@ impl<'a> Placer<'a> {
     }
 
     /// Where a placement puts a hand's point, for the placements that this tells; `None` for others.
-    pub fn point_of(&self, placement: &Placement, side: Side, model: &ModelPose) -> Option<DVec3> {
+    pub fn point_of(&self, placed: &Placed, side: Side, model: &ModelPose) -> Option<DVec3> {
+        let placement = &placed.placement;
         let on_skin = || self.skin.iter().find(|s| s.place == placement.place && s.lateral == placement.lateral);
         match (&placement.place, placement.distance) {
             (Place::OtherHand(point), _) => self.point(side.other(), *point, model),
@@ -77,7 +79,11 @@ impl<'a> Placer<'a> {
             (_, Distance::Close) if on_skin().is_some_and(|s| !s.is_region) => {
                 on_skin().map(|s| s.over(self.close(), model))
             }
-            _ => self.spots(side, model).into_iter().find(|c| c.placement == *placement).map(|c| c.at),
+            _ => {
+                let meets = placed.meeting.is_some_and(|met| met.distance == Distance::Touch);
+                let hands = if meets { Hands::Meeting } else { self.hands(model) };
+                self.spots(side, hands, model).into_iter().find(|c| c.placement == *placement).map(|c| c.at)
+            }
         }
     }
 
@@ -90,6 +96,11 @@ impl<'a> Placer<'a> {
     fn posed(&self, side: Side, model: &ModelPose) -> Vec<(HandPoint, DVec3)> {
         let of = &self.points[usize::from(side == Side::Right)];
         of.iter().map(|(p, contact)| (*p, contact.position(model))).collect()
+    }
+
+    /// How the hands are that do not touch.
+    fn hands(&self, model: &ModelPose) -> Hands {
+        if self.mirrored(model) { Hands::Apart } else { Hands::Alone }
     }
 
     /// Whether both hands are at one place, each on its own side: the palms are mirrored at the middle of the body, within 6 cm.

@@ -18,23 +18,33 @@ pub(super) struct Spot {
     behind: f64,
 }
 
+/// How the hands are there, of which no side is said.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(in super::super) enum Hands {
+    /// One hand is before the middle, a little to its own side.
+    Alone,
+    /// Each of two hands is apart from the middle, on its own side.
+    Apart,
+    /// Two hands meet in the middle.
+    Meeting,
+}
+
 impl Placer<'_> {
     /// The place of the signing space that a palm is nearest to, and how far off, metres.
-    pub(super) fn in_space(&self, side: Side, palm: DVec3, model: &ModelPose) -> Option<(Placed, f64)> {
+    pub(super) fn in_space(&self, side: Side, hands: Hands, palm: DVec3, model: &ModelPose) -> Option<(Placed, f64)> {
         let far = |c: &Spot| c.at.distance(palm) + c.behind;
-        let nearest = self.spots(side, model).into_iter().min_by(|a, b| far(a).total_cmp(&far(b)))?;
+        let nearest = self.spots(side, hands, model).into_iter().min_by(|a, b| far(a).total_cmp(&far(b)))?;
         let off = nearest.at.distance(palm);
         Some((Placed::at(nearest.placement, HandPoint::PALM), off))
     }
 
     /// All places of the signing space for a hand of a side.
-    pub(super) fn spots(&self, side: Side, model: &ModelPose) -> Vec<Spot> {
+    pub(super) fn spots(&self, side: Side, hands: Hands, model: &ModelPose) -> Vec<Spot> {
         let landmarks = &self.signer.landmarks;
-        let two = self.mirrored(model);
-        let mut all = Vec::with_capacity(600);
+                let mut all = Vec::with_capacity(600);
         for distance in [Distance::Close, Distance::Unmarked, Distance::Extended] {
             if let Some(space) = before_the_body(distance) {
-                self.before(side, two, distance, &space, model, &mut all);
+                self.before(side, hands, distance, &space, model, &mut all);
             }
         }
         for lateral in laterals() {
@@ -50,50 +60,50 @@ impl Placer<'_> {
         all
     }
 
-    /// The places before the regions of the body. `two` where both hands are there: then each is apart from the middle where no side is
-    /// said, or both meet.
+    /// The places before the regions of the body. What no side is said of depends on the hands.
     fn before(
         &self,
         side: Side,
-        two: bool,
+        hands: Hands,
         distance: Distance,
         space: &Before,
         model: &ModelPose,
         all: &mut Vec<Spot>,
     ) {
         let across = |lateral: Option<Lateral>| match lateral {
-            None if two => space.apart * side.sign(),
-            None => ONE_HAND_ARMS * side.sign(),
+            None => match hands {
+                Hands::Alone => ONE_HAND_ARMS * side.sign(),
+                Hands::Apart => space.apart * side.sign(),
+                Hands::Meeting => 0.0,
+            },
             Some(Lateral { side, beside: false }) => side.sign() * space.at,
             Some(Lateral { side, beside: true }) => side.sign() * space.beside,
         };
-        let mut put = |across: f64, height: f64, out: f64, lateral: Option<Lateral>, place: Place| {
+        let out = space.out + if hands == Hands::Meeting { MEETING_OUT_ARMS } else { 0.0 };
+        let mut put = |across: f64, height: f64, lateral: Option<Lateral>, place: Place| {
             let at = self.signer.landmarks.before(DVec3::new(across, height, out)).position(model);
             all.push(Spot { placement: Placement { lateral, distance, ..Placement::at(place) }, at, behind: 0.0 });
         };
         for (name, height) in &self.heights {
             let place = || Place::Body(name.clone());
             for lateral in laterals() {
-                put(across(lateral), *height, space.out, lateral, place());
-            }
-            if two {
-                put(0.0, *height, space.out + MEETING_OUT_ARMS, None, place());
+                put(across(lateral), *height, lateral, place());
             }
             for (a, b) in halves() {
                 let half = |lateral| Box::new(Sited { place: place(), lateral });
                 let middle = (across(a) + across(b)) / 2.0;
-                put(middle, *height, space.out, None, Place::Between(half(a), half(b)));
+                put(middle, *height, None, Place::Between(half(a), half(b)));
             }
         }
         for ((a, high), (b, low)) in self.neighbours() {
             for lateral in laterals() {
                 let half = |name: &str| Box::new(Sited { place: Place::Body(name.to_owned()), lateral });
-                put(across(lateral), (high + low) / 2.0, space.out, None, Place::Between(half(a), half(b)));
+                put(across(lateral), (high + low) / 2.0, None, Place::Between(half(a), half(b)));
             }
             for (left, right) in halves() {
                 let half = |name: &str, lateral| Box::new(Sited { place: Place::Body(name.to_owned()), lateral });
                 let middle = (across(left) + across(right)) / 2.0;
-                put(middle, (high + low) / 2.0, space.out, None, Place::Between(half(a, left), half(b, right)));
+                put(middle, (high + low) / 2.0, None, Place::Between(half(a, left), half(b, right)));
             }
         }
     }
