@@ -9,6 +9,9 @@ use crate::phonology::{Distance, HandPoint};
 /// Stillness and moves of the palm, metres a second.
 const GOING: Thresholds = Thresholds { still: 0.04, least: 0.12, valley: 0.5 };
 
+/// How much nearer to a place hands are that touch by chance, metres.
+const NOT_TOUCHING_M: f64 = 0.01;
+
 /// The places of a stretch, in order. Where hands touch, the place is that of the
 /// points that do.
 pub(super) fn placements(
@@ -25,8 +28,11 @@ pub(super) fn placements(
         let (side, model) = (seen.signals.side, &seen.models[at]);
         let met = placer.meeting(side, own, model);
         let touching = met.filter(|met| met.distance == Distance::Touch);
-        let found = touching.and_then(|met| placer.place_of_meeting(side, met, model));
-        let found = found.or_else(|| placer.place(side, own, model)).map(|(placed, off)| {
+        // Hands that touch are where they touch, or where each is: whichever is nearer to a place with a name.
+        let meeting = touching.and_then(|met| placer.place_of_meeting(side, met, model));
+        let alone = placer.place(side, own, model);
+        let nearer = |(_, off): &(Placed, f64)| meeting.as_ref().is_none_or(|(_, other)| off + NOT_TOUCHING_M < *other);
+        let found = alone.filter(nearer).or(meeting.clone()).map(|(placed, off)| {
             let is_place = seen.goes_to_other && !placer.mirrored(model);
             (Placed { meeting: met.map(|met| Meeting { is_place, ..met }), ..placed }, off)
         });

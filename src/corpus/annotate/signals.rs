@@ -16,9 +16,9 @@ use crate::time::Fps;
 use glam::{DQuat, DVec3};
 
 /// A hand hangs whose wrist is farther from the shoulder than this part of the arm, and below it within the angle that follows.
-const HANGS_REACH: f64 = 0.85;
-/// The cosine of the angle between a hanging arm and the plumb line: 32°.
-const HANGS_COSINE: f64 = 0.848;
+const HANGS_REACH: f64 = 0.9;
+/// The cosine of the angle between a hanging arm and the plumb line: 20°.
+const HANGS_COSINE: f64 = 0.94;
 
 /// One hand through a clip, a value a frame.
 #[derive(Debug, Clone)]

@@ -2,8 +2,8 @@
 
 use super::key::{Part, at};
 use super::{Judge, Judged, Judgement};
-use crate::motion::pose::ModelPose;
 use crate::corpus::annotate::Placed;
+use crate::motion::pose::ModelPose;
 use crate::phonology::operator::touches;
 use crate::phonology::symmetry::points;
 use crate::phonology::{Distance, HandPoint, Hands, Lateral, Movement, Place, Placement, Side, label};

@@ -4,7 +4,7 @@ use super::super::Placed;
 use super::Placer;
 use super::space::Hands;
 use crate::motion::pose::ModelPose;
-use crate::phonology::{Distance, HandPoint, Side};
+use crate::phonology::{Distance, HandPart, HandPoint, Side};
 use glam::DVec3;
 
 /// Hands touch whose points are so near, metres.
@@ -32,7 +32,7 @@ impl Placer<'_> {
     pub fn place_of_meeting(&self, side: Side, met: Meeting, model: &ModelPose) -> Option<(Placed, f64)> {
         let (own, other) = (self.point(side, met.with, model)?, self.point(side.other(), met.other, model)?);
         let middle = (own + other) / 2.0;
-        let found = self.at_skin((met.with, middle), &[], model).or_else(|| self.in_space(side, Hands::Meeting, middle, model));
+        let found = self.nearest(side, Hands::Meeting, (met.with, middle), &[], middle, model);
         found.map(|(placed, off)| (Placed { with: met.with, ..placed }, off))
     }
 
@@ -47,7 +47,12 @@ impl Placer<'_> {
         if off < TOUCH_M {
             return Some(Meeting { with: own, other, distance: Distance::Touch, off, is_place: false });
         }
-        let any = self.posed(side, model).into_iter().filter_map(|(p, at)| nearest(at).map(|(o, off)| (p, o, off)));
+        let arm = |p: &HandPoint| {
+            matches!(p.part(), HandPart::LowerArm | HandPart::Elbow | HandPart::ElbowInside | HandPart::UpperArm)
+        };
+        // A hand meets the other arm; two arms that touch are no place.
+        let own_points = self.posed(side, model).into_iter().filter(|(p, _)| !arm(p));
+        let any = own_points.filter_map(|(p, at)| nearest(at).map(|(o, off)| (p, o, off)));
         let (with, touched, least) = any.min_by(|a, b| a.2.total_cmp(&b.2))?;
         if least < TOUCH_M {
             return Some(Meeting { with, other: touched, distance: Distance::Touch, off: least, is_place: false });

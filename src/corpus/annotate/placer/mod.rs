@@ -49,13 +49,33 @@ impl<'a> Placer<'a> {
     pub fn place(&self, side: Side, own: HandPoint, model: &ModelPose) -> Option<(Placed, f64)> {
         let own_at = self.point(side, own, model)?;
         let others = self.posed(side, model);
-        let touching = self.at_skin((own, own_at), &others, model);
-        touching.or_else(|| self.in_space(side, self.hands(model), self.point(side, HandPoint::PALM, model)?, model))
+        let palm = self.point(side, HandPoint::PALM, model)?;
+        self.nearest(side, self.hands(model), (own, own_at), &others, palm, model)
     }
 
     /// The name of a place at which a point of a hand would be, and the palm at another; and how far it is from there, metres.
     pub fn name(&self, side: Side, own: (HandPoint, DVec3), palm: DVec3, model: &ModelPose) -> Option<(Placed, f64)> {
-        self.at_skin(own, &[], model).or_else(|| self.in_space(side, self.hands(model), palm, model))
+        self.nearest(side, self.hands(model), own, &[], palm, model)
+    }
+
+    /// What is touched; else the nearer of what the hand is close to, and where in space it is.
+    fn nearest(
+        &self,
+        side: Side,
+        hands: Hands,
+        own: (HandPoint, DVec3),
+        others: &[(HandPoint, DVec3)],
+        palm: DVec3,
+        model: &ModelPose,
+    ) -> Option<(Placed, f64)> {
+        if let Some(touching) = self.touching(own, others, model) {
+            return Some(touching);
+        }
+        let (placed, off) = self.in_space(side, hands, palm, model)?;
+        match self.close_to(own, others, model) {
+            Some((close, near, cost)) if cost < off => Some((close, near)),
+            Some(_) | None => Some((placed, off)),
+        }
     }
 
     /// The place of some, in space, that a hand's palm is nearest to: as one chooses who is shown pictures of them. `None` of none.

@@ -13,8 +13,10 @@ use glam::DVec3;
 const TOUCHES_M: f64 = 0.03;
 /// Another point than the shape's own must be so much nearer, metres.
 const NOT_ITS_OWN_M: f64 = 0.012;
-/// A hand is close to a place that is so near to where `close` would put it, metres.
+/// A hand is close to a place whose own point is so near to where `close` would put it, metres.
 const CLOSE_M: f64 = 0.04;
+/// Another point must be so near.
+const OTHERS_CLOSE_M: f64 = 0.02;
 /// The middle of two places must be so much nearer than a place, metres.
 const HALFWAY_M: f64 = 0.004;
 
@@ -78,18 +80,19 @@ impl Placer<'_> {
         CLOSE_ARMS * self.signer.landmarks.arm_length()
     }
 
-    /// A hand that touches the skin of trunk or head, or is close to a place that is no region: the place, and how far it is off,
-    /// metres. `all` are points of the hand that may touch besides its own.
-    pub(super) fn at_skin(
+    /// A hand that touches the skin of trunk or head: the place, and how far it is off, metres. `all` are points of the hand that may
+    /// touch besides its own.
+    pub(super) fn touching(
         &self,
         (own, own_at): (HandPoint, DVec3),
         all: &[(HandPoint, DVec3)],
         model: &ModelPose,
     ) -> Option<(Placed, f64)> {
         let mut best: Option<(f64, f64, Placed)> = None;
-        let mut offer = |cost: f64, off: f64, with: HandPoint, on: &OnSkin, distance: Distance| {
+        let mut offer = |cost: f64, off: f64, with: HandPoint, on: &OnSkin| {
             if best.as_ref().is_none_or(|(least, ..)| cost < *least) {
-                let placement = Placement { lateral: on.lateral, distance, ..Placement::at(on.place.clone()) };
+                let placement =
+                    Placement { lateral: on.lateral, distance: Distance::Touch, ..Placement::at(on.place.clone()) };
                 best = Some((cost, off, Placed::at(placement, with)));
             }
         };
@@ -98,19 +101,40 @@ impl Placer<'_> {
             let halfway = if on.landmarks.len() > 1 { HALFWAY_M } else { 0.0 };
             let off = own_at.distance(at);
             if off < TOUCHES_M {
-                offer(off + halfway, off, own, on, Distance::Touch);
+                offer(off + halfway, off, own, on);
             }
             for (point, there) in all {
                 let off = there.distance(at);
                 if off + NOT_ITS_OWN_M < TOUCHES_M {
-                    offer(off + NOT_ITS_OWN_M + halfway, off, *point, on, Distance::Touch);
+                    offer(off + NOT_ITS_OWN_M + halfway, off, *point, on);
                 }
-            }
-            let off = own_at.distance(on.over(self.close(), model));
-            if off < CLOSE_M && !on.is_region {
-                offer((off + halfway) * TOUCHES_M / CLOSE_M, off, own, on, Distance::Close);
             }
         }
         best.map(|(_, off, placed)| (placed, off))
+    }
+
+    /// A hand that is close to a place of the skin that is no region: the place, how far it is off, metres, and the same with what
+    /// makes the place less likely.
+    pub(super) fn close_to(
+        &self,
+        (own, own_at): (HandPoint, DVec3),
+        all: &[(HandPoint, DVec3)],
+        model: &ModelPose,
+    ) -> Option<(Placed, f64, f64)> {
+        let mut best: Option<(f64, f64, Placed)> = None;
+        for on in self.skin.iter().filter(|on| !on.is_region) {
+            let at = on.over(self.close(), model);
+            let halfway = if on.landmarks.len() > 1 { HALFWAY_M } else { 0.0 };
+            let others = all.iter().map(|(point, there)| (*point, there.distance(at), NOT_ITS_OWN_M, OTHERS_CLOSE_M));
+            for (with, off, aside, least) in std::iter::once((own, own_at.distance(at), 0.0, CLOSE_M)).chain(others) {
+                let cost = off + halfway + aside;
+                if off < least && best.as_ref().is_none_or(|(least, ..)| cost < *least) {
+                    let placement =
+                        Placement { lateral: on.lateral, distance: Distance::Close, ..Placement::at(on.place.clone()) };
+                    best = Some((cost, off, Placed::at(placement, with)));
+                }
+            }
+        }
+        best.map(|(cost, off, placed)| (placed, off, cost))
     }
 }

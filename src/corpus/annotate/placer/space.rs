@@ -41,7 +41,7 @@ impl Placer<'_> {
     /// All places of the signing space for a hand of a side.
     pub(super) fn spots(&self, side: Side, hands: Hands, model: &ModelPose) -> Vec<Spot> {
         let landmarks = &self.signer.landmarks;
-                let mut all = Vec::with_capacity(600);
+        let mut all = Vec::with_capacity(600);
         for distance in [Distance::Close, Distance::Unmarked, Distance::Extended] {
             if let Some(space) = before_the_body(distance) {
                 self.before(side, hands, distance, &space, model, &mut all);
