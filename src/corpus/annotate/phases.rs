@@ -31,20 +31,36 @@ pub(super) fn phases(signals: &Signals, limb: Limb, options: &Options) -> (Vec<V
         let whole: Vec<Move> = ways.iter().copied().filter(|m| m.end > from && m.start < to).collect();
         let comes = whole.first().filter(|m| from > 0 && m.start <= from);
         let goes = whole.last().filter(|m| to < last && m.end >= to);
-        let start = comes.map_or(from, |m| m.end);
-        let end = goes.map_or(to, |m| m.start);
+        let profile = if limb == Limb::Arm { &signals.path_speed } else { &activity };
+        let start = comes.map_or(from, |m| arrival(profile, m));
+        let end = goes.map_or(to, |m| departure(profile, m)).max(start);
         if let Some(m) = comes {
-            told.tell(Phase::Preparation, m.start, m.end);
+            told.tell(Phase::Preparation, m.start, start);
         }
         if start < end {
             told.signing(&inner, start, end, options);
             stretches.push(Signing { start, end });
         }
         if let Some(m) = goes {
-            told.tell(Phase::Retraction, m.start.max(start), m.end);
+            told.tell(Phase::Retraction, end, m.end);
         }
     }
     (told.values, stretches)
+}
+
+/// A way from rest is over where its speed is at a low so far below its peak, though the hand goes on slowly.
+const ARRIVED: f64 = 0.15;
+
+/// The frame at which a way from rest is over.
+fn arrival(profile: &[f64], of: &Move) -> usize {
+    let low = |f: &usize| profile[*f] < ARRIVED * profile[of.peak] && profile[f + 1] >= profile[*f];
+    (of.peak..of.end).find(low).unwrap_or(of.end)
+}
+
+/// The frame at which a way to rest begins.
+fn departure(profile: &[f64], of: &Move) -> usize {
+    let low = |f: &usize| profile[*f] < ARRIVED * profile[of.peak] && profile[f - 1] >= profile[*f];
+    (of.start + 1..of.peak).rev().find(low).unwrap_or(of.start)
 }
 
 /// The stretches in which the hand is not at rest, frames. Without an arm it never is.
