@@ -13,6 +13,7 @@ mod cli_check;
 mod cli_convert;
 mod cli_each;
 mod cli_profile;
+mod corpus_annotate;
 mod docs_notation;
 mod examples;
 mod format_bvh;

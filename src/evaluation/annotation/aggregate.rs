@@ -74,10 +74,7 @@ impl Tally {
             if !judgement.excepted {
                 self.without.entry(judgement.judged).or_default().add(judgement);
             }
-            if !judgement.loose || !judgement.strict && judgement.judged != Judged::Movement {
-                let key = (judgement.judged, judgement.described.clone(), judgement.measured.clone());
-                *self.confused.entry(key).or_default() += 1;
-            } else if !judgement.strict {
+            if !judgement.strict {
                 let key = (judgement.judged, judgement.described.clone(), judgement.measured.clone());
                 *self.confused.entry(key).or_default() += 1;
             }

@@ -20,6 +20,7 @@ mod expected;
 mod key;
 mod motion;
 mod place;
+mod six;
 
 use crate::body::signer::Signer;
 use crate::corpus::annotate::{Annotation, Annotator};
@@ -27,6 +28,7 @@ use crate::phonology::Sign;
 use crate::synthesis::verify::{Finding, verify};
 use crate::synthesis::{Grammar, Performance};
 pub use aggregate::{Confusion, Share, Tally};
+pub use six::{SIX_PLACES, choose, six_places};
 
 /// What is judged.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]

@@ -16,6 +16,9 @@ const NEAR_M: f64 = 0.05;
 /// Names are of one place that are so near, metres.
 const SAME_M: f64 = 0.015;
 
+/// A hand farther from the other one than this is in space, metres.
+const HANDS_NEAR_M: f64 = 0.06;
+
 /// A described place, made concrete.
 pub(super) struct Sited {
     pub placement: Placement,
@@ -100,8 +103,9 @@ impl Judge<'_> {
             || p.behind
             || matches!(p.distance, Distance::Metres(_) | Distance::Neutral)
             || matches!(p.place, Place::Point(_));
-        let numbered_hand = numbers && matches!(p.place, Place::OtherHand(_));
-        if !numbers || numbered_hand {
+        let on_hand =
+            matches!(p.place, Place::OtherHand(_)) && matches!(p.distance, Distance::Metres(m) if m < HANDS_NEAR_M);
+        if !numbers || on_hand && p.offset.is_none() {
             return vec![p.clone()];
         }
         let point = |point| self.signer.landmarks.hand_point(part.side, point).map(|c| c.position(body));
