@@ -167,9 +167,9 @@ fn in_a_mirror_left_is_right() {
 #[test]
 fn what_is_done_again_is_counted() {
     for times in 2..=4 {
-        for movement in ["down 10cm", "arc out 12cm bulging up", "circle about left 8cm"] {
+        for movement in ["down 10cm", "arc out 12cm bulging up", "circle axis left 8cm"] {
             let text = format!(
-                "sign X\n  configuration  flat\n  placement      chest right, 24cm away\n  orientation    fingers out, palm down\n  movement       {movement}, {times} times\n"
+                "sign X\n  configuration  flat\n  placement      chest right, 24cm away\n  orientation    fingers out, palm down\n  movement       {movement}, repeated {times}\n"
             );
             let found = annotate(&perform(&sign(&text)).track.clip);
             let movements = found.tiers().into_iter().find(|t| t.name == "RH Movement").unwrap();

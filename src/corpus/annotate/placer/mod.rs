@@ -13,7 +13,7 @@ use crate::body::landmarks::ContactPoint;
 use crate::body::signer::Signer;
 use crate::motion::pose::ModelPose;
 use crate::phonology::location::{LocationInventory, LocationKind};
-use crate::phonology::{Digit, Digits, Distance, HandPart, HandPoint, Lateral, Place, Placement, Side};
+use crate::phonology::{Digit, Digits, Distance, Flank, HandPart, HandPoint, Lateral, Place, Placement, Side};
 use glam::DVec3;
 pub use meeting::Meeting;
 use skin::OnSkin;
@@ -40,7 +40,14 @@ impl<'a> Placer<'a> {
         let heights = rows().filter_map(|row| Some((row.id.clone(), row.space?))).collect();
         let points = [Side::Left, Side::Right].map(|side| {
             let on_hand = |point| signer.landmarks.hand_point(side, point).ok().map(|contact| (point, contact));
-            hand_points().filter_map(on_hand).collect()
+            // A face that has no landmark of its own is the part itself.
+            let mut all: Vec<(HandPoint, ContactPoint)> = Vec::new();
+            for (point, contact) in hand_points().filter_map(on_hand) {
+                if !all.iter().any(|(_, known)| *known == contact) {
+                    all.push((point, contact));
+                }
+            }
+            all
         });
         Placer { signer, skin: skin::places(signer, rows()), heights, points }
     }
@@ -148,11 +155,16 @@ fn halves() -> impl Iterator<Item = (Option<Lateral>, Option<Lateral>)> {
     })
 }
 
-/// The points of a hand and arm that touch: of the limb, and of each digit.
+/// The points of a hand and arm that touch: of the limb, and of each digit, as a whole and on each of its faces.
 fn hand_points() -> impl Iterator<Item = HandPoint> {
     let limb = HandPart::OF_THE_LIMB.into_iter().chain([HandPart::Wrist]);
     let limb = limb.filter_map(|part| HandPoint::new(Digits::NONE, part, None));
-    let digits =
-        Digit::ALL.into_iter().flat_map(|digit| HandPart::OF_A_DIGIT.map(|part| HandPoint::of_digit(digit, part)));
-    limb.chain(digits.flatten())
+    let of = |digit: Digit| {
+        let parts = HandPart::OF_A_DIGIT.into_iter();
+        parts.flat_map(move |part| {
+            let flanks = std::iter::once(None).chain(Flank::ALL.map(Some));
+            flanks.filter_map(move |flank| HandPoint::new(Digits::of([digit]), part, flank))
+        })
+    };
+    limb.chain(Digit::ALL.into_iter().flat_map(of))
 }
