@@ -167,7 +167,7 @@ fn in_a_mirror_left_is_right() {
 #[test]
 fn what_is_done_again_is_counted() {
     for times in 2..=4 {
-        for movement in ["down 10cm", "arc out 12cm bulging up", "circle axis left 8cm"] {
+        for movement in ["down 10cm", "arc out 12cm bulging up", "circle axis left radius 8cm"] {
             let text = format!(
                 "sign X\n  configuration  flat\n  placement      chest right, 24cm away\n  orientation    fingers out, palm down\n  movement       {movement}, repeated {times}\n"
             );

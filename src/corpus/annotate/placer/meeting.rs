@@ -3,14 +3,17 @@
 use super::super::Placed;
 use super::Placer;
 use super::space::Hands;
+use crate::body::landmarks::ContactPoint;
 use crate::motion::pose::ModelPose;
 use crate::phonology::{Distance, HandPart, HandPoint, Side};
 use glam::DVec3;
 
 /// Hands touch whose points are so near, metres.
 const TOUCH_M: f64 = 0.015;
-/// Hands are close to each other whose own point and any point are so near, metres.
+/// A hand is close to the other one whose own point is no higher over it than this, metres.
 const CLOSE_M: f64 = 0.06;
+/// And no farther aside of one of its points, metres.
+const ASIDE_M: f64 = 0.025;
 
 /// Two hands that are on each other.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -36,6 +39,18 @@ impl Placer<'_> {
         found.map(|(placed, off)| (Placed { with: met.with, ..placed }, off))
     }
 
+    /// The point of a hand over which another point is, close to it; and how far off, metres.
+    fn below(&self, side: Side, at: DVec3, model: &ModelPose) -> Option<(HandPoint, f64)> {
+        let over = |(point, contact): &(HandPoint, ContactPoint)| {
+            let (from, normal) = (at - contact.position(model), contact.normal(model));
+            let height = from.dot(normal);
+            let aside = (from - normal * height).length();
+            (height > 0.0 && height < CLOSE_M && aside < ASIDE_M).then_some((*point, aside, from.length()))
+        };
+        let found = self.points[usize::from(side == Side::Right)].iter().filter_map(over);
+        found.min_by(|a, b| a.1.total_cmp(&b.1)).map(|(point, _, off)| (point, off))
+    }
+
     /// Where the two hands are on each other, if they are; `own` is the point with which the given hand's shape touches.
     pub fn meeting(&self, side: Side, own: HandPoint, model: &ModelPose) -> Option<Meeting> {
         let others = self.posed(side.other(), model);
@@ -43,20 +58,24 @@ impl Placer<'_> {
             let far = others.iter().map(|(p, there)| (*p, at.distance(*there)));
             far.min_by(|a, b| a.1.total_cmp(&b.1))
         };
-        let (other, off) = nearest(self.point(side, own, model)?)?;
+        let own_at = self.point(side, own, model)?;
+        let (other, off) = nearest(own_at)?;
         if off < TOUCH_M {
             return Some(Meeting { with: own, other, distance: Distance::Touch, off, is_place: false });
         }
-        let arm = |p: &HandPoint| {
-            matches!(p.part(), HandPart::LowerArm | HandPart::Elbow | HandPart::ElbowInside | HandPart::UpperArm)
-        };
         // A hand meets the other arm; two arms that touch are no place.
-        let own_points = self.posed(side, model).into_iter().filter(|(p, _)| !arm(p));
+        let own_points = self.posed(side, model).into_iter().filter(|(p, _)| !is_arm(*p));
         let any = own_points.filter_map(|(p, at)| nearest(at).map(|(o, off)| (p, o, off)));
         let (with, touched, least) = any.min_by(|a, b| a.2.total_cmp(&b.2))?;
         if least < TOUCH_M {
             return Some(Meeting { with, other: touched, distance: Distance::Touch, off: least, is_place: false });
         }
-        (off < CLOSE_M).then_some(Meeting { with: own, other, distance: Distance::Close, off, is_place: false })
+        let (other, off) = self.below(side.other(), own_at, model)?;
+        Some(Meeting { with: own, other, distance: Distance::Close, off, is_place: false })
     }
+}
+
+/// Whether a point is on the arm rather than on the hand.
+pub(super) fn is_arm(point: HandPoint) -> bool {
+    matches!(point.part(), HandPart::LowerArm | HandPart::Elbow | HandPart::ElbowInside | HandPart::UpperArm)
 }

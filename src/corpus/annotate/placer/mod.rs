@@ -55,7 +55,9 @@ impl<'a> Placer<'a> {
     /// Where a hand is in a pose, and how far it is from there, metres. `own` is the point with which its shape touches.
     pub fn place(&self, side: Side, own: HandPoint, model: &ModelPose) -> Option<(Placed, f64)> {
         let own_at = self.point(side, own, model)?;
-        let others = self.posed(side, model);
+        // An arm along the trunk is no place of the hand.
+        let mut others = self.posed(side, model);
+        others.retain(|(point, _)| !meeting::is_arm(*point));
         let palm = self.point(side, HandPoint::PALM, model)?;
         self.nearest(side, self.hands(model), (own, own_at), &others, palm, model)
     }
