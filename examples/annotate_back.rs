@@ -1,36 +1,52 @@
 //! Annotates synthesized signs and tells how much of their descriptions comes back.
 //!
-//! `cargo run --release --example annotate_back [FOLDER|lexicon|sign names] [--every N] [--top N]` prints a table of shares per component,
-//! strict and loose, with and without what the synthesis itself could not do, then the most frequent confusions.
+//! `cargo run --release --example annotate_back [lexicon|FOLDER] [--every N] [--top N] [--wrong] [--only NAME]` prints a table of shares
+//! per component, strict and loose, with and without what the synthesis itself could not do, then the most frequent confusions;
+//! `--wrong` every value that is not strictly right, `--only` one sign with all tiers, described and measured.
 
 use chereme::avatar;
 use chereme::corpus::annotate::{self, Annotator, Coverage};
 use chereme::diagnostics::{Error, Source};
-use chereme::evaluation::annotation::{Judged, Tally, judge};
+use chereme::evaluation::annotation::{Judged, Tally, judge, six_places};
 use chereme::notation::Lexicon;
 use chereme::notation::formats::{Notation, Words, read_any};
 use chereme::phonology::Sign;
 use chereme::synthesis::{Grammar, Options, synthesize};
+use chereme::tier::Tier;
 use std::time::Instant;
 
-fn main() -> Result<(), Error> {
-    let mut arguments = std::env::args().skip(1);
-    let (mut what, mut every, mut top, mut only) = ("lexicon".to_owned(), 1, 12, None);
-    while let Some(argument) = arguments.next() {
-        match argument.as_str() {
-            "--every" => every = arguments.next().and_then(|n| n.parse().ok()).unwrap_or(1),
-            "--top" => top = arguments.next().and_then(|n| n.parse().ok()).unwrap_or(12),
-            "--only" => only = arguments.next(),
-            _ => what = argument,
+/// What the command line asks for.
+struct Asked {
+    what: String,
+    every: usize,
+    top: usize,
+    wrong: bool,
+    only: Option<String>,
+}
+
+impl Asked {
+    fn read() -> Asked {
+        let mut asked = Asked { what: "lexicon".to_owned(), every: 1, top: 12, wrong: false, only: None };
+        let mut arguments = std::env::args().skip(1);
+        let number = |text: Option<String>| text.and_then(|n| n.parse().ok());
+        while let Some(argument) = arguments.next() {
+            match argument.as_str() {
+                "--every" => asked.every = number(arguments.next()).unwrap_or(1).max(1),
+                "--top" => asked.top = number(arguments.next()).unwrap_or(12),
+                "--wrong" => asked.wrong = true,
+                "--only" => asked.only = arguments.next(),
+                _ => asked.what = argument,
+            }
         }
+        asked
     }
-    let grammar = Grammar::builtin();
-    let signs: Vec<Sign> = signs(&what, &grammar)?
-        .into_iter()
-        .step_by(every)
-        .filter(|s| only.as_ref().is_none_or(|o| s.name == *o))
-        .collect();
-    let signer = avatar::signer()?;
+}
+
+fn main() -> Result<(), Error> {
+    let asked = Asked::read();
+    let (grammar, signer) = (Grammar::builtin(), avatar::signer()?);
+    let named = |sign: &Sign| asked.only.as_ref().is_none_or(|only| sign.name == *only);
+    let signs: Vec<Sign> = signs(&asked.what, &grammar)?.into_iter().step_by(asked.every).filter(named).collect();
     let annotator = Annotator::new(&signer, &grammar.handshapes, &grammar.locations);
     let (mut tally, mut refused, mut motion, mut spent) = (Tally::default(), 0, 0.0, 0.0);
     for sign in &signs {
@@ -44,59 +60,45 @@ fn main() -> Result<(), Error> {
         spent += began.elapsed().as_secs_f64();
         motion += clip.duration().0;
         let judged = judge(sign, &performance, &annotation, &annotator, &grammar, &signer);
-        if only.is_some() {
-            for (whose, tiers) in [("described", &performance.track.tiers), ("measured", &annotation.tiers())] {
-                for tier in tiers.iter() {
-                    for v in tier.values() {
-                        println!(
-                            "{whose:10} {:16} {:5.2} {:5.2}  {}  ({})",
-                            tier.name, v.start.0, v.end.0, v.label, v.source
-                        );
-                    }
-                }
-            }
-            println!("keys {:?}", performance.report.keys);
+        if asked.only.is_some() {
+            show("described", &performance.track.tiers);
+            show("measured", &annotation.tiers());
+        }
+        for j in judged.iter().filter(|j| asked.wrong && !j.strict) {
+            let why = if j.excepted { " (excepted)" } else { "" };
+            println!("{:20} {:14} {} -> {}{why}", sign.name, j.judged.name(), j.described, j.measured);
         }
         tally.add(&judged);
-        if std::env::var("SHOW").is_ok() {
-            for j in judged.iter().filter(|j| !j.strict) {
-                println!(
-                    "{:20} {:14} {} -> {}{}",
-                    sign.name,
-                    j.judged.name(),
-                    j.described,
-                    j.measured,
-                    if j.excepted { " (excepted)" } else { "" }
-                );
-            }
-        }
     }
+    let times = motion / spent;
     println!(
-        "{} signs, {refused} refused; {motion:.0} s of motion, {:.0} times as fast as it is signed",
-        signs.len(),
-        motion / spent
+        "{} signs, {refused} refused; {motion:.0} s of motion, {times:.0} times as fast as it is signed",
+        signs.len()
     );
-    print(&tally, top);
+    print(&tally, asked.top);
+    if let Ok(bol) = Lexicon::builtin().find("BOL", Some("lsf")) {
+        let right = six_places(&bol.sign, &annotator, &grammar, &signer)?;
+        let right = right.iter().zip(chereme::evaluation::annotation::SIX_PLACES).filter(|(a, b)| **a == Some(*b));
+        println!("BOL at six places: {} named from the motion", right.count());
+    }
     Ok(())
 }
 
+fn show(whose: &str, tiers: &[Tier]) {
+    for tier in tiers {
+        for v in tier.values() {
+            println!("{whose:10} {:16} {:5.2} {:5.2}  {}  ({})", tier.name, v.start.0, v.end.0, v.label, v.source);
+        }
+    }
+}
+
 fn print(tally: &Tally, top: usize) {
-    println!(
-        "{:14} {:>6} {:>8} {:>8}   {:>6} {:>8} {:>8}",
-        "component", "values", "strict", "loose", "exc.", "strict", "loose"
-    );
+    println!("component      values   strict    loose     exc.   strict    loose (without exceptions)");
     for judged in Judged::ALL {
         let (with, without) = (tally.share(judged, true), tally.share(judged, false));
-        println!(
-            "{:14} {:6} {:7.1}% {:7.1}%   {:6} {:7.1}% {:7.1}%",
-            judged.name(),
-            with.all,
-            100.0 * with.strict(),
-            100.0 * with.loose(),
-            with.all - without.all,
-            100.0 * without.strict(),
-            100.0 * without.loose()
-        );
+        let [a, b, c, d] = [with.strict(), with.loose(), without.strict(), without.loose()].map(|share| 100.0 * share);
+        let (name, all, left) = (judged.name(), with.all, with.all - without.all);
+        println!("{name:14} {all:6} {a:7.1}% {b:7.1}%   {left:6} {c:7.1}% {d:7.1}%");
     }
     for judged in Judged::ALL {
         for c in tally.confusions(judged).iter().take(top) {
@@ -112,16 +114,16 @@ fn signs(what: &str, grammar: &Grammar) -> Result<Vec<Sign>, Error> {
     }
     let words = Words::of(&grammar.handshapes, &grammar.locations, &grammar.expressions);
     let told = |e: std::io::Error| Error::new(format!("{what}: {e}"));
-    let mut paths: Vec<_> =
-        std::fs::read_dir(what).map_err(told)?.map(|e| e.map(|e| e.path())).collect::<Result<_, _>>().map_err(told)?;
+    let files = std::fs::read_dir(what).map_err(told)?;
+    let mut paths: Vec<_> = files.map(|file| file.map(|f| f.path())).collect::<Result<_, _>>().map_err(told)?;
     paths.sort();
     let mut all = Vec::new();
     for path in paths {
         let name = path.display().to_string();
-        let (Some(notation), Ok(text)) = (Notation::of_extension(&name), std::fs::read_to_string(&path)) else {
-            continue;
-        };
-        all.extend(read_any(&Source::new(name, text), notation, &words, "").signs.into_iter().map(|read| read.sign));
+        let Some(notation) = Notation::of_extension(&name) else { continue };
+        let Ok(text) = std::fs::read_to_string(&path) else { continue };
+        let reading = read_any(&Source::new(name, text), notation, &words, "");
+        all.extend(reading.signs.into_iter().map(|read| read.sign));
     }
     Ok(all)
 }

@@ -48,6 +48,9 @@ pub(super) fn phases(signals: &Signals, limb: Limb, options: &Options) -> (Vec<V
     (told.values, stretches)
 }
 
+/// How far a hand goes at least from one sign to the next, and its digits' ends in it, metres.
+const LEADS_ON: (f64, f64) = (0.06, 0.03);
+
 /// A way from rest is over where its speed is at a low so far below its peak, though the hand goes on slowly.
 const ARRIVED: f64 = 0.15;
 
@@ -96,34 +99,36 @@ impl Teller<'_> {
         self.values.push(Value { start: at(from), end: at(to), value: phase, off: 0.0 });
     }
 
-    /// Strokes with the holds between them.
+    /// Strokes with the transitions and holds between them.
     fn signing(&mut self, inner: &[Move], start: usize, end: usize, options: &Options) {
-        let fps = self.signals.fps.get();
-        let long = (options.hold.0 * fps).max(1.0) as usize;
-        let mut stroke: Option<(usize, usize)> = None;
-        let mut at = start;
+        let long = (options.hold.0 * self.signals.fps.get()).max(1.0) as usize;
         let within = |m: &Move| Move { start: m.start.max(start), peak: m.peak, end: m.end.min(end) };
-        for m in inner.iter().filter(|m| m.peak > start && m.peak < end).map(within) {
-            let gap = m.start.saturating_sub(at);
-            match stroke {
-                Some((from, _)) if gap < long => stroke = Some((from, m.end)),
-                Some((from, to)) => {
-                    self.tell(Phase::Stroke, from, to);
-                    self.tell(Phase::Hold, to, m.start);
-                    stroke = Some((m.start, m.end));
-                }
-                None if gap < long => stroke = Some((at, m.end)),
-                None => {
-                    self.tell(Phase::Hold, at, m.start);
-                    stroke = Some((m.start, m.end));
-                }
+        let moves: Vec<Move> = inner.iter().filter(|m| m.peak > start && m.peak < end).map(within).collect();
+        let mut spans: Vec<(Phase, usize, usize)> = Vec::new();
+        let mut at = start;
+        for (n, m) in moves.iter().enumerate() {
+            let leads_on = n > 0 && n + 1 < moves.len() && self.leads_on(m);
+            let phase = if leads_on { Phase::Transition } else { Phase::Stroke };
+            let held = m.start.saturating_sub(at) >= long;
+            if held {
+                spans.push((Phase::Hold, at, m.start));
+            }
+            match spans.last_mut() {
+                Some((before, _, to)) if *before == phase && !held => *to = m.end,
+                _ => spans.push((phase, if held { m.start } else { at }, m.end)),
             }
             at = m.end;
         }
-        if let Some((from, to)) = stroke {
-            self.tell(Phase::Stroke, from, to);
-            at = to;
-        }
-        self.tell(Phase::Hold, at, end);
+        spans.push((Phase::Hold, at, end));
+        spans.into_iter().for_each(|(phase, from, to)| self.tell(phase, from, to));
+    }
+
+    /// Whether a move looks like the way from one sign to the next: the hand goes far, and comes there with another shape. A guess:
+    /// nothing but the language tells signs apart for certain.
+    fn leads_on(&self, of: &Move) -> bool {
+        let Move { start, end, .. } = *of;
+        let far = self.signals.palm[start].distance(self.signals.palm[end]);
+        let formed = self.signals.forms[start].tips_apart(&self.signals.forms[end]);
+        far > LEADS_ON.0 && formed > LEADS_ON.1
     }
 }

@@ -97,7 +97,7 @@ impl Tally {
                 count: *count,
             })
             .collect();
-        all.sort_by(|a, b| b.count.cmp(&a.count));
+        all.sort_by_key(|confusion| std::cmp::Reverse(confusion.count));
         all
     }
 }

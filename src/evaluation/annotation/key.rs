@@ -39,6 +39,7 @@ impl Judge<'_> {
         if instants.len() != phases.iter().map(|p| count(p)).sum::<usize>() {
             return all;
         }
+        all.extend(self.phases());
         let mut from = 0;
         for phase in phases {
             let keys = instants[from..from + count(phase)].to_vec();
@@ -50,6 +51,26 @@ impl Judge<'_> {
                 let Some(measured) = self.annotation.hand(side).filter(|_| !behind) else { continue };
                 let part = Part { phase, hand, side, said, keys: keys.clone(), measured };
                 self.part(&part, &mut all);
+            }
+        }
+        all
+    }
+
+    /// What each hand does in the middle of the strokes and transitions that the track has.
+    fn phases(&self) -> Vec<Judgement> {
+        let mut all = Vec::new();
+        for hand in &self.annotation.hands {
+            let name = if hand.side == Side::Right { "RH Phase" } else { "LH Phase" };
+            for phase in self.performance.track.phases(name) {
+                if !["stroke", "transition"].contains(&phase.name.as_str()) {
+                    continue;
+                }
+                let found = at(&hand.phases, Seconds((phase.start.0 + phase.end.0) / 2.0));
+                let measured = found.map_or("nothing", |v| v.value.name()).to_owned();
+                let right = measured == phase.name;
+                let judged = Judged::Phase;
+                let loose = right || phase.name == "stroke" && measured == "hold";
+                all.push(Judgement { judged, described: phase.name, measured, strict: right, loose, excepted: false });
             }
         }
         all

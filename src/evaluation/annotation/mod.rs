@@ -14,6 +14,8 @@
 //! * *Movement*: strictly, each described movement of the interval was measured in order, of its kind, its direction (that of the
 //!   path, of the chord, of the axis) within 45°; loosely, its kind. Sizes do not count.
 //! * *Repetition*: as many performances.
+//! * *Phase*: in the middle of each stroke and each transition of the track, the same was measured; loosely, a hand that does
+//!   nothing in a stroke may hold. A phase that the track does not have counts nowhere.
 
 mod aggregate;
 mod expected;
@@ -47,11 +49,13 @@ pub enum Judged {
     Movement,
     /// How often it does so.
     Repetition,
+    /// Stroke or transition, in the middle of each.
+    Phase,
 }
 
 impl Judged {
     /// All, in the order of a table.
-    pub const ALL: [Judged; 7] = [
+    pub const ALL: [Judged; 8] = [
         Judged::Configuration,
         Judged::Placement,
         Judged::Orientation,
@@ -59,6 +63,7 @@ impl Judged {
         Judged::Palm,
         Judged::Movement,
         Judged::Repetition,
+        Judged::Phase,
     ];
 
     /// In a word.
@@ -71,6 +76,7 @@ impl Judged {
             Judged::Orientation => "orientation",
             Judged::Movement => "movement",
             Judged::Repetition => "repetition",
+            Judged::Phase => "phase",
         }
     }
 }

@@ -28,6 +28,9 @@ pub(super) struct Sited {
     pub with: HandPoint,
 }
 
+/// Places by name with their sides, and whether beside them.
+type Sites = Vec<(String, Option<(Side, bool)>)>;
+
 impl Judge<'_> {
     pub(super) fn placement(&self, part: &Part, key: usize) -> Option<Judgement> {
         let body = self.body(part, key);
@@ -137,7 +140,7 @@ impl Judge<'_> {
     }
 
     /// A place as names with sides, two where it lies between two.
-    fn sites(&self, part: &Part, p: &Placement) -> Option<Vec<(String, Option<(Side, bool)>)>> {
+    fn sites(&self, part: &Part, p: &Placement) -> Option<Sites> {
         let named = |place: &Place, lateral: Option<Lateral>| match place {
             Place::Body(name) => {
                 let row = self.grammar.locations.get(name)?;
