@@ -1,18 +1,22 @@
 //! Annotates synthesized signs and tells how much of their descriptions comes back.
 //!
-//! `cargo run --release --example annotate_back [lexicon|FOLDER] [--every N] [--top N] [--wrong] [--only NAME]` prints a table of shares
-//! per component, strict and loose, with and without what the synthesis itself could not do, then the most frequent confusions;
-//! `--wrong` every value that is not strictly right, `--only` one sign with all tiers, described and measured.
+//! `cargo run --release --example annotate_back [lexicon|FOLDER] [--every N] [--top N] [--wrong] [--only NAME] [--fps N]
+//! [--noise DEGREES]` prints a table of shares per component, strict and loose, with and without what the synthesis itself could not
+//! do, then the most frequent confusions; `--wrong` every value that is not strictly right, `--only` one sign with all tiers, described
+//! and measured; `--noise` turns every joint of every frame at random by so much, as recordings do.
 
 use chereme::avatar;
 use chereme::corpus::annotate::{self, Annotator, Coverage};
 use chereme::diagnostics::{Error, Source};
 use chereme::evaluation::annotation::{Judged, Tally, judge, six_places};
+use chereme::motion::clip::Clip;
 use chereme::notation::Lexicon;
 use chereme::notation::formats::{Notation, Words, read_any};
 use chereme::phonology::Sign;
 use chereme::synthesis::{Grammar, Options, synthesize};
 use chereme::tier::Tier;
+use chereme::time::Fps;
+use glam::{DQuat, DVec3};
 use std::time::Instant;
 
 /// What the command line asks for.
@@ -22,11 +26,14 @@ struct Asked {
     top: usize,
     wrong: bool,
     only: Option<String>,
+    fps: f64,
+    noise: f64,
 }
 
 impl Asked {
     fn read() -> Asked {
-        let mut asked = Asked { what: "lexicon".to_owned(), every: 1, top: 12, wrong: false, only: None };
+        let mut asked =
+            Asked { what: "lexicon".to_owned(), every: 1, top: 12, wrong: false, only: None, fps: 60.0, noise: 0.0 };
         let mut arguments = std::env::args().skip(1);
         let number = |text: Option<String>| text.and_then(|n| n.parse().ok());
         while let Some(argument) = arguments.next() {
@@ -34,6 +41,8 @@ impl Asked {
                 "--every" => asked.every = number(arguments.next()).unwrap_or(1).max(1),
                 "--top" => asked.top = number(arguments.next()).unwrap_or(12),
                 "--wrong" => asked.wrong = true,
+                "--fps" => asked.fps = arguments.next().and_then(|n| n.parse().ok()).unwrap_or(60.0),
+                "--noise" => asked.noise = arguments.next().and_then(|n| n.parse().ok()).unwrap_or(0.0),
                 "--only" => asked.only = arguments.next(),
                 _ => asked.what = argument,
             }
@@ -49,12 +58,13 @@ fn main() -> Result<(), Error> {
     let signs: Vec<Sign> = signs(&asked.what, &grammar)?.into_iter().step_by(asked.every).filter(named).collect();
     let annotator = Annotator::new(&signer, &grammar.handshapes, &grammar.locations);
     let (mut tally, mut refused, mut motion, mut spent) = (Tally::default(), 0, 0.0, 0.0);
+    let fps = Fps::new(asked.fps).ok_or_else(|| Error::new("the frame rate is no number of frames"))?;
     for sign in &signs {
-        let Ok(performance) = synthesize(sign, &grammar, &signer, &Options::default()) else {
+        let Ok(performance) = synthesize(sign, &grammar, &signer, &Options { fps, ..Options::default() }) else {
             refused += 1;
             continue;
         };
-        let clip = &performance.track.clip;
+        let clip = &shaken(&performance.track.clip, asked.noise);
         let began = Instant::now();
         let annotation = annotator.annotate(clip, Coverage::WHOLE, &annotate::Options::default());
         spent += began.elapsed().as_secs_f64();
@@ -82,6 +92,21 @@ fn main() -> Result<(), Error> {
         println!("BOL at six places: {} named from the motion", right.count());
     }
     Ok(())
+}
+
+/// A clip with every joint turned about a random axis in every frame, evenly up to so many degrees about each axis.
+fn shaken(clip: &Clip, degrees: f64) -> Clip {
+    let mut seed = 1u64;
+    let mut noise = || {
+        seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        ((seed >> 33) as f64 / f64::from(1u32 << 30) - 1.0) * degrees.to_radians()
+    };
+    let mut frames = clip.frames().to_vec();
+    for rotation in frames.iter_mut().flat_map(|frame| &mut frame.pose.rotations) {
+        *rotation = DQuat::from_scaled_axis(DVec3::new(noise(), noise(), noise())) * *rotation;
+    }
+    let noisy = Clip::new(clip.skeleton().clone(), clip.fps(), clip.morphs().clone(), frames);
+    if degrees > 0.0 { noisy.unwrap_or_else(|| clip.clone()) } else { clip.clone() }
 }
 
 fn show(whose: &str, tiers: &[Tier]) {

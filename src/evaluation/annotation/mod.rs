@@ -6,13 +6,15 @@
 //! # What is right
 //! * *Configuration*: the shape's form is the same as the described one's (no digit's end 4 mm apart), or it is the same as the
 //!   inventory's nearest shape to what the description changes or mixes.
-//! * *Placement*: strictly, the same place on the same side, and the distance one step off at most (touch, close, at ease, extended); a
-//!   description with numbers (`chest, 24cm away, offset up 3cm`) is first given the nearest name. Loosely, the measured place lies within
-//!   5 cm, or half of half the region's width, of the described one.
+//! * *Placement*: strictly, the same place on the same side, and the distance one step off at most (touch, close, at ease, extended), or a
+//!   name of the same point within 1.5 cm; a description with numbers (`chest, 24cm away, offset up 3cm`) is first given the nearest name.
+//!   Where hands meet, the place of both and that on the other hand are both measured, and either may be the described one. Loosely, the
+//!   measured place lies within 5 cm, or half of half the region's width, of the described one.
 //! * *Orientation*: strictly, fingers and palm are each the described one of the 26 directions; loosely, each within 27.5° (half a
 //!   cell and a tolerance of 5°). The palm is meant across the fingers.
 //! * *Movement*: strictly, each described movement of the interval was measured in order, of its kind, its direction (that of the
-//!   path, of the chord, of the axis) within 45°; loosely, its kind. Sizes do not count.
+//!   path, of the chord, of the axis; or of the way between the described places) within 45°; a hold or a change of posture where no way was
+//!   measured. Loosely, its kind. Sizes do not count.
 //! * *Repetition*: as many performances.
 //! * *Phase*: in the middle of each stroke and each transition of the track, the same was measured; loosely, a hand that does
 //!   nothing in a stroke may hold. A phase that the track does not have counts nowhere.
