@@ -63,15 +63,16 @@ impl Signals {
         options: &Options,
     ) -> Signals {
         let (fps, arm) = (clip.fps(), signer.arm(side));
-        let window = Window::new(options.smoothing.0, fps);
         let origin = |i: usize| clip.frames()[i].pose.root_model;
         let count = models.len();
         let palm_point = signer.landmarks.hand_point(side, HandPoint::PALM).ok();
+        let middle = |i: usize| palm_point.as_ref().map_or(models[i].position(arm.hand), |p| p.position(&models[i]));
+        let window = Window::fitting(options.smoothing.0, &(0..count).map(middle).collect::<Vec<_>>(), fps);
         let raw = |f: &dyn Fn(usize) -> DVec3| window.smooth(&(0..count).map(f).collect::<Vec<_>>());
         let rotation = |i: usize| models[i].rotation(arm.hand);
         let wrist_at = |i: usize| models[i].position(arm.hand) - origin(i);
         let wrist = raw(&wrist_at);
-        let palm = raw(&|i| palm_point.as_ref().map_or(wrist_at(i), |p| p.position(&models[i]) - origin(i)));
+        let palm = raw(&|i| middle(i) - origin(i));
         let reach = signer.landmarks.hand_length();
         let front = raw(&|i| wrist_at(i) + arm.fingers_and_palm(rotation(i)).0 * reach);
         let unit = |all: Vec<DVec3>| all.into_iter().map(|v| v.normalize_or(DVec3::Y)).collect::<Vec<_>>();
@@ -135,7 +136,27 @@ fn forming(forms: &[HandForm], fps: Fps) -> Vec<f64> {
 /// A window of weights about a frame.
 struct Window(Vec<f64>);
 
+/// The deviation of a path's noise that counts for none, and that which makes the window twice as wide, metres.
+const NOISE_M: (f64, f64) = (0.8e-3, 1.8e-3);
+/// A window grows to so many times its reach at most.
+const WIDEST: f64 = 2.4;
+
 impl Window {
+    /// A window that reaches so far, or farther where a path is noisy.
+    ///
+    /// Noise differs from frame to frame and motion hardly does: the third difference of a path is 20^(1/2) times the deviation of noise on it.
+    /// The median says it, whatever a hand does in some of the frames.
+    fn fitting(reach: f64, path: &[DVec3], fps: Fps) -> Window {
+        let third = |w: &[DVec3]| ((w[3] - w[0]) - (w[2] - w[1]) * 3.0).length() / 20f64.sqrt();
+        let mut off: Vec<f64> = path.windows(4).map(third).collect();
+        off.sort_by(f64::total_cmp);
+        let noise = off.get(off.len() / 2).copied().unwrap_or(0.0);
+        let usual = Window::new(reach, fps);
+        let wider = 1.0 + (noise - NOISE_M.0) / (NOISE_M.1 - NOISE_M.0);
+        // What is no number makes no window wider.
+        if wider > 1.0 { Window::new(reach * wider.min(WIDEST), fps) } else { usual }
+    }
+
     /// A Hann window that reaches so many seconds to each side.
     fn new(reach: f64, fps: Fps) -> Window {
         let reach = reach.clamp(0.0, 1.0) * fps.get();

@@ -26,6 +26,8 @@ pub(super) struct Part<'a> {
 const LOOSE: f64 = 27.5 * std::f64::consts::PI / 180.0;
 /// A palm within this of the fingers' direction (the sine of it) says nothing.
 const ALONG: f64 = 0.2;
+/// Shapes are as near to a form whose distances differ by less, metres.
+const AS_NEAR_M: f64 = 1e-3;
 /// Findings of the check that are so near to a key in time are about it, seconds.
 const ABOUT_S: f64 = 0.03;
 
@@ -122,7 +124,11 @@ impl Judge<'_> {
         let nearest = forms.nearest(&form)?;
         let found = at(&part.measured.configuration, part.keys[key]);
         let number = found.map(|v| v.value.number);
-        let strict = number.is_some_and(|n| forms.are_same(n, nearest.shape) || forms.shapes()[n].form.is_same(&form));
+        // What lies halfway between two rows is as near to both.
+        let strict = number.is_some_and(|n| {
+            let own = &forms.shapes()[n].form;
+            forms.are_same(n, nearest.shape) || own.is_same(&form) || own.distance(&form) < nearest.distance + AS_NEAR_M
+        });
         Some(Judgement {
             judged: Judged::Configuration,
             described: label::configuration(&described),

@@ -5,7 +5,7 @@
 //!
 //! # What is right
 //! * *Configuration*: the shape's form is the same as the described one's (no digit's end 4 mm apart), or it is the same as the
-//!   inventory's nearest shape to what the description changes or mixes.
+//!   inventory's nearest shape to what the description changes or mixes, or as near (within 1 mm of the mean distance).
 //! * *Placement*: strictly, the same place on the same side, and the distance one step off at most (touch, close, at ease, extended), or a
 //!   name of the same point within 1.5 cm; a description with numbers (`chest, 24cm away, offset up 3cm`) is first given the nearest name.
 //!   Where hands meet, the place of both and that on the other hand are both measured, and either may be the described one. Loosely, the
