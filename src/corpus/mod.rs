@@ -4,6 +4,7 @@
 //! A recording is a motion of the rig with tiers over it. Its segments are what a hand does under one gloss, with the
 //! values of each phonological component and when they hold. Nothing here changes a motion.
 
+pub mod annotate;
 pub mod bases;
 pub mod build;
 pub mod cache;

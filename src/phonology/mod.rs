@@ -17,6 +17,7 @@ pub mod expression;
 pub mod grammar;
 pub mod hand;
 pub mod handshape;
+pub mod label;
 pub mod location;
 mod location_table;
 pub mod movement;

@@ -5,6 +5,7 @@ use super::plan::{Instead, Known, Planner};
 use super::posture::Part;
 use super::shape::within;
 use super::side_of;
+use crate::body::signing_space::{MEETING_OUT_ARMS, ONE_HAND_ARMS, before_the_body};
 use crate::diagnostics::Error;
 use crate::phonology::symmetry::resolve;
 use crate::phonology::{Distance, Hand, HandPoint, Hands, Lateral, Place, Placement, Side, Sign, Sited, Symmetry};
@@ -39,32 +40,6 @@ impl<'s> Asker<'s> {
     }
 }
 
-/// One hand before the middle of the body is a little to its own side, arm lengths.
-const ONE_HAND_ARMS: f64 = 0.01;
-
-/// The signing space before a region of the body: how far out it is, and how far to the sides; arm lengths from the middle of
-/// the shoulders. Measured on the field's reference engine of HamNoSys (docs/reference.md).
-struct Before {
-    out: f64,
-    at: f64,
-    beside: f64,
-    /// Each of two hands of which no side is said.
-    apart: f64,
-}
-
-/// How much farther before the body two hands meet than one hand is, arm lengths (docs/reference.md).
-const MEETING_OUT_ARMS: f64 = 0.016;
-
-/// Where a hand is that is somewhere before a region; `None` where its distance is from the skin.
-fn before_the_body(distance: Distance) -> Option<Before> {
-    match distance {
-        Distance::Close => Some(Before { out: 0.74, at: 0.29, beside: 0.61, apart: 0.18 }),
-        Distance::Unmarked => Some(Before { out: 0.88, at: 0.33, beside: 0.65, apart: 0.26 }),
-        Distance::Extended => Some(Before { out: 1.02, at: 0.38, beside: 0.70, apart: 0.42 }),
-        Distance::Touch | Distance::Neutral | Distance::Metres(_) => None,
-    }
-}
-
 impl Planner<'_> {
     /// Out of the skin where a placement touches the body, model space.
     pub(super) fn outward(&self, placement: &Placement, side: Side) -> Option<DVec3> {
@@ -86,6 +61,21 @@ impl Planner<'_> {
     pub fn place(&self, placement: &Placement, sign: &Sign, known: &mut Known) -> Result<Anchor, Error> {
         let asker = Asker { sign, side: Side::Right, meeting: Meeting::Meets, instead: None };
         self.anchor(placement, asker, known)
+    }
+
+    /// Where a hand's placement is; `meets` where the hands meet there, and are not set apart.
+    ///
+    /// # Errors
+    /// A name that the inventory lacks.
+    pub fn place_of_hand(
+        &self,
+        placement: &Placement,
+        (sign, side): (&Sign, Side),
+        meets: bool,
+        known: &mut Known,
+    ) -> Result<Anchor, Error> {
+        let meeting = if meets { Meeting::Meets } else { Meeting::Apart };
+        self.anchor(placement, Asker { sign, side, meeting, instead: None }, known)
     }
 
     /// Where a hand is of which no place is said: at ease before the chest.

@@ -5,10 +5,7 @@ use super::schedule::Schedule;
 use super::timeline::Timeline;
 use super::{Grammar, side_of};
 use crate::phonology::symmetry::{acts, resolve};
-use crate::phonology::{
-    Action, Channel, Configuration, Contact, ContactKind, Distance, Extent, Hand, HandPoint, HandshapeChange, Keys,
-    Motion, Movement, NonManual, NonManualValue, Opening, Orientation, Place, Placement, Side, Size,
-};
+use crate::phonology::{Channel, Hand, Keys, Side, label};
 use crate::score::plan::{Act, Plan};
 use crate::tier::Tier;
 use crate::time::Seconds;
@@ -34,7 +31,7 @@ pub(super) fn of_plan(plan: &Plan, prepared: &[Prepared], timelines: &[Timeline]
     for over in &plan.spans {
         if let [first, .., last] | [first @ last] = schedule.items.get(over.items.clone()).unwrap_or_default() {
             let tier = tiers.of(&over.channel.title());
-            tier.push(first.stroke, last.hold_end, non_manual_label(&over.value), STATED);
+            tier.push(first.stroke, last.hold_end, label::non_manual(&over.value), STATED);
         }
     }
     tiers.in_order()
@@ -124,21 +121,21 @@ fn of_sign(prepared: &Prepared, timeline: &Timeline, tiers: &mut Tiers) {
         };
         let source = |own: bool| if own { STATED } else { FOLLOWS };
         let tier = tiers.of(&format!("{prefix} Configuration"));
-        keyed(tier, &said.configuration, timeline, configuration_label, source(!own.configuration.is_empty()));
+        keyed(tier, &said.configuration, timeline, label::configuration, source(!own.configuration.is_empty()));
         let tier = tiers.of(&format!("{prefix} Placement"));
-        keyed(tier, &said.placement, timeline, placement_label, source(!own.placement.is_empty()));
+        keyed(tier, &said.placement, timeline, label::placement, source(!own.placement.is_empty()));
         let tier = tiers.of(&format!("{prefix} Orientation"));
-        keyed(tier, &said.orientation, timeline, orientation_label, source(!own.orientation.is_empty()));
+        keyed(tier, &said.orientation, timeline, label::orientation, source(!own.orientation.is_empty()));
         let movement = tiers.of(&format!("{prefix} Movement"));
         for (m, span) in said.movement.iter().zip(timeline.keys.windows(2)) {
-            movement.push(Seconds(span[0]), Seconds(span[1]), movement_label(m), source(!own.movement.is_empty()));
+            movement.push(Seconds(span[0]), Seconds(span[1]), label::movement(m), source(!own.movement.is_empty()));
         }
     }
-    keyed(tiers.of("Contact"), &sign.contact, timeline, contact_label, STATED);
+    keyed(tiers.of("Contact"), &sign.contact, timeline, label::contact, STATED);
     // What the face does holds over all phases.
     let whole = Timeline { hold_end: timeline.sign_end, ..timeline.clone() };
     for (channel, values) in &sign.nonmanual {
-        keyed(tiers.of(&channel.title()), values, &whole, non_manual_label, STATED);
+        keyed(tiers.of(&channel.title()), values, &whole, label::non_manual, STATED);
     }
 }
 

@@ -15,6 +15,7 @@ mod cli_convert;
 mod cli_corpus;
 mod cli_each;
 mod cli_profile;
+mod corpus_annotate;
 mod corpus_build;
 mod corpus_example;
 mod corpus_index;
