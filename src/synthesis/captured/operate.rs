@@ -114,7 +114,7 @@ impl By<'_> {
                 (angles.map_err(|e| Error::new(e.to_string()))?, format!("grammar: {}", configuration.base))
             }
         };
-        let name = crate::synthesis::tiers::configuration_label(configuration);
+        let name = crate::phonology::label::configuration(configuration);
         let mut made = track::with_configuration(track, self.signer, sides, (&name, &angles), self.options.easing)?;
         for tier in made.tiers.iter_mut().filter(|tier| tier.name.ends_with("Configuration")) {
             let mut again = crate::tier::Tier::new(tier.name.clone());
