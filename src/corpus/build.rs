@@ -6,21 +6,23 @@
 use super::cache::disk::OnDisk;
 use super::cache::{Cache, Entry, Frames, Head, SourceFile, hash};
 use super::files::{Files, Finding, Stamp};
-use super::manifest::{Listing, Rig, Take};
+use super::annotate::{self, Annotator, Limb};
+use super::manifest::{Listing, Rig, Take, our_tiers};
 use super::motion::{self, captured};
 use super::tiers::{Window, annotations_of, tiers};
-use crate::body::retarget::{Humanoid, Options, Report, retarget};
+use crate::body::retarget::{Coverage, Humanoid, Options, Report, retarget};
 use crate::body::signer::Signer;
 use crate::diagnostics::Error;
 use crate::motion::pose::LocalPose;
-use crate::phonology::Configuration;
+use crate::phonology::{Configuration, LocationInventory, Side};
 use crate::phonology::handshape::HandshapeInventory;
 use crate::time::FrameIndex;
 use std::collections::BTreeMap;
 use std::path::Path;
+use std::sync::LazyLock;
 
 /// Raised with every change of how motions and tiers are made, so that older caches are built anew.
-const MAKER: u32 = 1;
+const MAKER: u32 = 2;
 
 /// The head of a cache that this program makes for a signer.
 pub fn head(signer: &Signer) -> Head {
@@ -86,6 +88,20 @@ pub struct Builder<'a> {
     by_name: BTreeMap<&'a str, &'a Entry>,
     /// How our body stands where a recording has nothing of it.
     rest: LocalPose,
+    annotator: Annotator<'a>,
+}
+
+/// The places that annotation knows.
+static PLACES: LazyLock<LocationInventory> = LazyLock::new(LocationInventory::builtin);
+
+/// What annotation may look at.
+fn limbs(covers: Coverage) -> annotate::Coverage {
+    let limb = |side: Side| match (covers.arms[side as usize], covers.hands[side as usize]) {
+        (true, _) => Limb::Arm,
+        (false, true) => Limb::Hand,
+        (false, false) => Limb::None,
+    };
+    annotate::Coverage { left: limb(Side::Left), right: limb(Side::Right) }
 }
 
 impl<'a> Builder<'a> {
@@ -94,7 +110,8 @@ impl<'a> Builder<'a> {
         let old = old.filter(|old| *old.cache.head() == head(signer));
         let entries = old.map(|old| old.cache.entries()).unwrap_or_default();
         let by_name = entries.iter().map(|entry| (entry.name.as_str(), entry)).collect();
-        Builder { listing, signer, files, old, by_name, rest: rest_of(signer) }
+        let annotator = Annotator::new(signer, &HandshapeInventory::builtin(), &PLACES);
+        Builder { listing, signer, files, old, by_name, rest: rest_of(signer), annotator }
     }
 
     /// The cache that recordings are kept from.
@@ -254,7 +271,7 @@ impl<'a> Builder<'a> {
         for (path, place) in take.annotations.iter().zip(&take.annotation_places) {
             let (file, bytes) = self.source(path);
             made.entry.annotations.push(file);
-            match bytes.map(|bytes| annotations_of(path, &bytes).map_err(|all| motion::located(path, &bytes, all))) {
+            match bytes.map(|bytes| annotations_of(path, &take.name, &bytes).map_err(|all| motion::located(path, &bytes, all))) {
                 Ok(Ok(tiers)) => read.push((name_of(path), tiers)),
                 Ok(Err(all)) => faults.extend(all),
                 Err(e) => faults.push(place.fault(e.to_string())),
@@ -270,8 +287,25 @@ impl<'a> Builder<'a> {
             let duration = made.entry.fps.time_of(FrameIndex(frames - 1));
             let window = Window { begins: made.entry.begins, duration };
             made.entry.tiers = tiers(&self.listing.manifest, take, &read, window, made.entry.covers);
+            self.measured(&mut made);
         }
         made
+    }
+
+    /// Adds what was measured of the motion, for each tier of a hand that nobody annotated.
+    fn measured(&self, made: &mut Made) {
+        let covers = made.entry.covers;
+        let Ok(clip) = made.frames.clip(self.signer, made.entry.fps) else { return };
+        let measured = self.annotator.annotate(&clip, limbs(covers), &annotate::Options::default()).tiers();
+        for tier in measured {
+            let side = if tier.name.starts_with("LH") { Side::Left } else { Side::Right };
+            let fingers = covers.hands[side as usize] || !tier.name.ends_with("Configuration");
+            if fingers && !made.entry.tiers.iter().any(|own| own.name == tier.name) {
+                made.entry.tiers.push(tier);
+            }
+        }
+        let order: Vec<String> = our_tiers().collect();
+        made.entry.tiers.sort_by_key(|tier| order.iter().position(|name| *name == tier.name));
     }
 
     /// What tells later whether a file's content is the same, and its content.

@@ -3,7 +3,10 @@
 use super::build::{Builder, Freshness, Made, head};
 use super::cache::disk::{self, Aside, OnDisk};
 use super::cache::{Cache, Entry, Writer};
+use super::cut::segments;
 use super::files::{Files, Finding};
+use super::index::{About, Index};
+use super::label::Vocabulary;
 use super::manifest::{Listing, Take};
 use crate::body::retarget::Coverage;
 use crate::body::signer::Signer;
@@ -16,8 +19,27 @@ use std::collections::BTreeMap;
 use std::path::Path;
 use std::sync::Arc;
 
-/// Makes the bytes of the index of a corpus's segments, which the cache keeps beside the motions.
-pub type Indexing = fn(&[Entry]) -> Vec<u8>;
+/// The index of a corpus's segments; recordings have the numbers that they have in its [`Library`].
+pub fn index_of(listing: &Listing, entries: &[Entry], vocabulary: &Vocabulary) -> Index {
+    let takes: BTreeMap<&str, &Take> = listing.takes.iter().map(|take| (take.name.as_str(), take)).collect();
+    let (mut abouts, mut all) = (Vec::new(), Vec::new());
+    for entry in entries.iter().filter(|entry| !entry.failed()) {
+        let Some(take) = takes.get(entry.name.as_str()) else { continue };
+        all.extend(segments(abouts.len(), &entry.tiers));
+        let (name, signer) = (entry.name.clone(), take.signer.clone());
+        abouts.push(About { name, signer, dominant: Some(take.dominant) });
+    }
+    Index::build(&abouts, &all, vocabulary)
+}
+
+/// The words that a corpus's labels are read with: letters are those of its language.
+///
+/// # Errors
+/// Never for the built-in inventories.
+pub fn vocabulary_of(listing: &Listing, signer: &Signer) -> Result<Vocabulary, Error> {
+    let language = listing.manifest.language.as_ref().map(|language| language.value.as_str());
+    Vocabulary::builtin(&signer.skeleton, language)
+}
 
 /// A cache in the making: on the disk, or in memory where that cannot be written.
 pub struct Building {
@@ -85,7 +107,8 @@ impl Building {
     ///
     /// # Errors
     /// It could not be written, such as on a full disk; the old one stays.
-    pub fn finish(self, indexing: Indexing) -> Result<(Cache, Tally), Error> {
+    pub fn finish(self, listing: &Listing, vocabulary: &Vocabulary) -> Result<(Cache, Tally), Error> {
+        let indexing = |entries: &[Entry]| index_of(listing, entries, vocabulary).to_bytes();
         if let Some(error) = self.fault {
             return Err(error.context("the cache cannot be written"));
         }
@@ -149,7 +172,6 @@ impl Library {
         signer: &Signer,
         files: &dyn Files,
         folder: &Path,
-        indexing: Indexing,
     ) -> Result<(Library, Tally), Error> {
         let old = match fresh(&listing, signer, files, folder) {
             Ok(cache) => {
@@ -162,7 +184,7 @@ impl Library {
         let builder = Builder::new(&listing, signer, files, old.as_ref());
         let mut building = Building::begin(folder, signer)?;
         listing.takes.iter().for_each(|take| building.add(builder.make(take)));
-        let (cache, tally) = building.finish(indexing)?;
+        let (cache, tally) = building.finish(&listing, &vocabulary_of(&listing, signer)?)?;
         Ok((Library::new(listing, cache, signer), tally))
     }
 
@@ -219,8 +241,9 @@ impl Library {
         self.entry(recording).duration()
     }
 
-    /// The bytes of the segments' index.
-    pub fn index(&self) -> &[u8] {
-        self.cache.index()
+    /// The index of all segments; made anew where the cache's is not as it should be.
+    pub fn index(&self, vocabulary: &Vocabulary) -> Index {
+        let kept = Index::from_bytes(self.cache.index(), vocabulary);
+        kept.unwrap_or_else(|_| index_of(&self.listing, self.cache.entries(), vocabulary))
     }
 }

@@ -4,22 +4,35 @@ use super::manifest::{Hands, Manifest, Take, our_tiers};
 use super::segment::Component;
 use crate::body::retarget::Coverage;
 use crate::diagnostics::{Diagnostic, Span};
+use crate::format::{eaf, segments, textgrid};
 use crate::phonology::Side;
 use crate::tier::Tier;
 use crate::time::Seconds;
 use std::path::Path;
 
-/// The tiers of an annotation file; its extension says the format. Times are the annotation's own.
+/// The tiers of an annotation file: ELAN, Praat, or a table of segments; its extension says the format. Times are the annotation's
+/// own. Of a table with several recordings, those of the take count, and rows that name none.
 ///
 /// # Errors
 /// Its faults, by their place in its text.
-pub fn annotations_of(path: &Path, _bytes: &[u8]) -> Result<Vec<Tier>, Vec<Diagnostic>> {
+pub fn annotations_of(path: &Path, take: &str, bytes: &[u8]) -> Result<Vec<Tier>, Vec<Diagnostic>> {
     let extension = path.extension().map(|e| e.to_string_lossy().to_lowercase()).unwrap_or_default();
-    let message = match extension.as_str() {
-        "eaf" | "textgrid" | "tsv" => format!(".{extension} annotations cannot be read yet"),
-        _ => "annotations are .eaf, .TextGrid or .tsv files".to_owned(),
-    };
-    Err(vec![Diagnostic::fault(Span::default(), message)])
+    match extension.as_str() {
+        "eaf" => eaf::read(bytes).map(|read| read.eaf.tiers.into_iter().map(|tier| tier.tier).collect()),
+        "textgrid" => textgrid::read(bytes).map(|read| read.grid.tiers.into_iter().map(|tier| tier.tier).collect()),
+        "tsv" | "csv" => {
+            let own = |name: &str| {
+                let stem = Path::new(name).file_stem().map(|stem| stem.to_string_lossy().into_owned());
+                name.is_empty() || name.eq_ignore_ascii_case(take) || stem.is_some_and(|s| s.eq_ignore_ascii_case(take))
+            };
+            let recordings = segments::read(bytes)?.recordings;
+            Ok(recordings.into_iter().filter(|r| own(&r.name)).flat_map(|r| r.tiers).collect())
+        }
+        _ => {
+            let message = "annotations are .eaf, .TextGrid, .tsv or .csv files";
+            Err(vec![Diagnostic::fault(Span::default(), message)])
+        }
+    }
 }
 
 /// When a clip is, in its file's time.

@@ -7,9 +7,9 @@ use super::{Named, Opening};
 use crate::avatar;
 use crate::body::signer::Signer;
 use crate::corpus::build::Builder;
-use crate::corpus::cache::{Entry, disk};
+use crate::corpus::cache::disk;
 use crate::corpus::files::Finding;
-use crate::corpus::library::{Building, Library, Tally, fresh};
+use crate::corpus::library::{Building, Library, Tally, fresh, vocabulary_of};
 use crate::corpus::manifest::{FILE_NAME, Listing, listing};
 use crate::diagnostics::Error;
 use crate::notation::source_of_bytes;
@@ -62,11 +62,6 @@ pub(super) fn failed(error: Error) -> Failure {
     Failure::Faults(Some(error.to_string()))
 }
 
-/// The bytes of the index of a corpus's segments.
-fn index(_entries: &[Entry]) -> Vec<u8> {
-    Vec::new()
-}
-
 /// Opens a corpus; what its cache lacks is made. Its faulty recordings are left out, and counted in the tally.
 pub(super) fn open(named: &Named, opening: &Opening, loudness: Loudness) -> Result<(Library, Tally), Failure> {
     let (listing, folder) = listing_of(named)?;
@@ -93,7 +88,7 @@ pub(super) fn open(named: &Named, opening: &Opening, loudness: Loudness) -> Resu
         },
     );
     drop(progress);
-    let (cache, mut tally) = building.finish(index).map_err(failed)?;
+    let (cache, mut tally) = building.finish(&listing, &vocabulary_of(&listing, &signer).map_err(failed)?).map_err(failed)?;
     tally.findings.splice(0..0, listing.findings.iter().cloned());
     if let Some(why) = &tally.unwritten {
         terminal::err(&format!("the cache cannot be written, so the corpus is made each time ({why}); see --cache\n"));

@@ -5,7 +5,9 @@ use super::columns::Columns;
 use super::entry::{Entry, Head};
 use super::{Cache, FORM, HEAD, HEAD_BYTES, TAIL, hash};
 use crate::diagnostics::Error;
+use crate::body::signer::Signer;
 use crate::motion::clip::Clip;
+use crate::time::Fps;
 use std::io::Write;
 
 /// A recording's frames as a cache holds them.
@@ -27,6 +29,14 @@ impl Frames {
     /// How many they are.
     pub fn count(&self) -> usize {
         self.columns.frames as usize
+    }
+
+    /// The motion again, as it will be read.
+    ///
+    /// # Errors
+    /// They are of another rig, or none.
+    pub fn clip(&self, signer: &Signer, fps: Fps) -> Result<Clip, Error> {
+        self.columns.clip(&self.bytes, &signer.skeleton, &signer.morphs, fps)
     }
 
     /// Those that a cache holds already.
