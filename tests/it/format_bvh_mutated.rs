@@ -131,8 +131,10 @@ fn judge(name: &str, original: Option<&Bvh>, bytes: &[u8]) -> Outcome {
     if original == Some(ours) {
         return Outcome::Same;
     }
-    // Its numbers have 32 bits, and its times nanoseconds.
-    let fit = values().all(|v| v.abs() < 1e30) && (1e-8..1e6).contains(&ours.frame_time().0);
+    // Its names end at a blank; its numbers have 32 bits, and its times nanoseconds.
+    let fit = ours.joints().iter().all(|joint| !joint.name.contains(char::is_whitespace))
+        && values().all(|v| v.abs() < 1e30)
+        && (1e-8..1e6).contains(&ours.frame_time().0);
     if !(can_be_compared(&reading) && fit) {
         return Outcome::Sound;
     }
@@ -155,7 +157,7 @@ fn changed_odd_files_are_read_right_or_refused() {
         .filter(|(_, bytes)| bytes.len() < 100_000)
         .collect();
     assert!(all.len() >= 13, "{} files", all.len());
-    let rounds = if std::env::var("CI").as_deref() == Ok("true") { 300 } else { 60 };
+    let rounds = if std::env::var("CI").as_deref() == Ok("true") { 120 } else { 40 };
     let mut runner = TestRunner::deterministic();
     let mut counts = std::collections::BTreeMap::new();
     for (name, bytes) in &all {
