@@ -62,7 +62,7 @@ fn segments(count: usize) -> Vec<Segment> {
     let far = ["", ", touch", ", close"];
     let ways = ["up", "down", "left", "right", "out", "in", "up-left", "up-right", "down-out", "out-left"];
     let mut draw = Draw(5);
-    let mut one = |start: f64, draw: &mut Draw, texts: [String; 4]| {
+    let one = |start: f64, draw: &mut Draw, texts: [String; 4]| {
         texts.map(|label| {
             if draw.below(20) == 0 {
                 return Vec::new();
@@ -81,7 +81,7 @@ fn segments(count: usize) -> Vec<Segment> {
         ];
         Segment {
             recording: i / 1000,
-            side: Some(if i % 2 == 0 { Side::Right } else { Side::Left }),
+            side: Some(if i.is_multiple_of(2) { Side::Right } else { Side::Left }),
             start: Seconds(start),
             end: Seconds(start + 0.5 + draw.below(100) as f64 / 100.0),
             gloss: Some(format!("gloss-{}", draw.below(400))),

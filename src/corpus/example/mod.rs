@@ -41,7 +41,7 @@ impl Motion {
     /// assert!(Motion::new(Fps::DEFAULT, 2, &[0.0, 1.0, 0.5]).is_err());
     /// ```
     pub fn new(fps: Fps, dims: usize, values: &[f32]) -> Result<Motion, Error> {
-        if dims == 0 || values.is_empty() || values.len() % dims != 0 {
+        if dims == 0 || values.is_empty() || !values.len().is_multiple_of(dims) {
             return Err(Error::new(format!("{} numbers are no rows of {dims}", values.len())));
         }
         if let Some(at) = values.iter().position(|v| !v.is_finite()) {
