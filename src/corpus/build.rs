@@ -3,10 +3,10 @@
 //! A recording is kept where the program, the rig, all that the manifest says of it and the content of its files are what
 //! they were. That the content is the same is told by size and time, where these can be trusted, else by its hash.
 
+use super::annotate::{self, Annotator, Limb};
 use super::cache::disk::OnDisk;
 use super::cache::{Cache, Entry, Frames, Head, SourceFile, hash};
 use super::files::{Files, Finding, Stamp};
-use super::annotate::{self, Annotator, Limb};
 use super::manifest::{Listing, Rig, Take, our_tiers};
 use super::motion::{self, captured};
 use super::tiers::{Window, annotations_of, tiers};
@@ -14,8 +14,8 @@ use crate::body::retarget::{Coverage, Humanoid, Options, Report, retarget};
 use crate::body::signer::Signer;
 use crate::diagnostics::Error;
 use crate::motion::pose::LocalPose;
-use crate::phonology::{Configuration, LocationInventory, Side};
 use crate::phonology::handshape::HandshapeInventory;
+use crate::phonology::{Configuration, LocationInventory, Side};
 use crate::time::FrameIndex;
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -95,7 +95,7 @@ pub struct Builder<'a> {
 static PLACES: LazyLock<LocationInventory> = LazyLock::new(LocationInventory::builtin);
 
 /// What annotation may look at.
-fn limbs(covers: Coverage) -> annotate::Coverage {
+pub fn limbs(covers: Coverage) -> annotate::Coverage {
     let limb = |side: Side| match (covers.arms[side as usize], covers.hands[side as usize]) {
         (true, _) => Limb::Arm,
         (false, true) => Limb::Hand,
@@ -250,7 +250,8 @@ impl<'a> Builder<'a> {
         // Frames that are not to be used are cut off already.
         let options = Options { mode: captured.mode, skip_frames: 0, rest: self.rest.clone() };
         let skeleton = captured.clip.skeleton();
-        let humanoid = Humanoid::new(skeleton, &captured.joints, captured.axes, self.signer).map_err(fault)?;
+        let humanoid = Humanoid::standing(skeleton, &captured.stands, &captured.joints, captured.axes, self.signer);
+        let humanoid = humanoid.map_err(fault)?;
         let done = retarget(&captured.clip, &humanoid, self.signer, &options).map_err(fault)?;
         let warnings = told(&done.report);
         let finding = |text: &String| take.place.warning(format!("{}: {text}", take.name));
@@ -271,7 +272,9 @@ impl<'a> Builder<'a> {
         for (path, place) in take.annotations.iter().zip(&take.annotation_places) {
             let (file, bytes) = self.source(path);
             made.entry.annotations.push(file);
-            match bytes.map(|bytes| annotations_of(path, &take.name, &bytes).map_err(|all| motion::located(path, &bytes, all))) {
+            match bytes
+                .map(|bytes| annotations_of(path, &take.name, &bytes).map_err(|all| motion::located(path, &bytes, all)))
+            {
                 Ok(Ok(tiers)) => read.push((name_of(path), tiers)),
                 Ok(Err(all)) => faults.extend(all),
                 Err(e) => faults.push(place.fault(e.to_string())),
@@ -319,7 +322,7 @@ impl<'a> Builder<'a> {
 }
 
 /// How a signer stands where a recording says nothing: arms hanging, hands at rest.
-fn rest_of(signer: &Signer) -> LocalPose {
+pub fn rest_of(signer: &Signer) -> LocalPose {
     let rest = HandshapeInventory::builtin().angles(&Configuration::named("rest"), None);
     rest.map_or_else(|_| LocalPose::rest(&signer.skeleton), |hand| signer.neutral(&hand))
 }

@@ -153,7 +153,8 @@ pub fn recording(take: &Take, listing: &Listing, files: &dyn Files, names: &Name
     };
     for (path, place) in take.annotations.iter().zip(&take.annotation_places) {
         let read = files.read(path).map_err(|e| vec![place.fault(e.to_string()).label("expected a file")]);
-        match read.and_then(|bytes| annotations_of(path, &take.name, &bytes).map_err(|all| located(path, &bytes, all))) {
+        match read.and_then(|bytes| annotations_of(path, &take.name, &bytes).map_err(|all| located(path, &bytes, all)))
+        {
             Ok(tiers) => findings.extend(odd_tiers(take, place, &tiers, listing, motion.as_ref(), names)),
             Err(faults) => findings.extend(faults),
         }

@@ -3,10 +3,11 @@
 use super::files::{Finding, Place};
 use super::manifest::{Manifest, Rig, Take};
 use crate::body::retarget::names::{Recognised, recognise};
-use crate::body::retarget::{Axes, Mode, propose_axes};
+use crate::body::retarget::{Axes, Mode, begins_with_t_pose, propose_axes};
 use crate::diagnostics::{Diagnostic, Source};
 use crate::format::bvh::{self, Bvh, ClipOptions, Roots};
 use crate::motion::clip::{Clip, Frame};
+use crate::motion::pose::LocalPose;
 use crate::time::Seconds;
 use glam::{DQuat, DVec3};
 use std::collections::{BTreeMap, BTreeSet};
@@ -26,6 +27,8 @@ pub struct Captured {
     pub joints: BTreeMap<String, String>,
     /// Where up and front are.
     pub axes: Axes,
+    /// How the body stands where bones are compared with ours: an inserted T-pose, else at rest.
+    pub stands: LocalPose,
     /// What of its motion is kept.
     pub mode: Mode,
     /// The size of the body, or of the hand, in metres.
@@ -151,9 +154,11 @@ pub fn captured(bytes: &[u8], take: &Take, manifest: &Manifest, text: &Arc<Sourc
         vec![fault]
     })?;
     let file_duration = whole.duration();
+    let inserted = rig.is_some_and(|rig| rig.skip_frames.value > 0) && begins_with_t_pose(&whole);
+    let stands = if inserted { whole.frames()[0].pose.clone() } else { LocalPose::rest(whole.skeleton()) };
     let (clip, begins) = cut(&whole, take, rig, &mut findings).map_err(|fault| vec![fault])?;
     let (size, mode) = (size(&file, &joints, metres), rig.map(|rig| rig.mode.value).unwrap_or_default());
-    Ok(Captured { clip, begins, file_duration, size, joints, axes, mode, findings })
+    Ok(Captured { clip, begins, file_duration, size, joints, axes, stands, mode, findings })
 }
 
 /// The axes that the skeleton says, where it says none those that the motion shows; `None` where they are one line.
@@ -194,7 +199,8 @@ pub fn begins_at_rest(clip: &Clip) -> bool {
     };
     let pairs = first.pose.rotations.iter().zip(&second.pose.rotations);
     let way = pairs.map(|(a, b)| a.angle_between(*b)).sum::<f64>() / joints;
-    resting(first) >= MOST_JOINTS && resting(first) - resting(second) >= FEWER && way > FAR
+    let leaps = resting(first) >= MOST_JOINTS && resting(first) - resting(second) >= FEWER && way > FAR;
+    leaps || begins_with_t_pose(clip)
 }
 
 /// The joints that the file has of those that the skeleton names; the others are told.

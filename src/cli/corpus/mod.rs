@@ -1,10 +1,14 @@
 //! `chereme corpus`: corpora of recorded signing.
 
+mod annotate;
+mod bases;
 mod build;
 mod check;
 mod disk;
+mod find;
 mod init;
 mod list;
+mod motion;
 pub(super) mod open;
 
 use super::{Failure, Sources};
@@ -14,7 +18,7 @@ use std::path::PathBuf;
 #[derive(Debug, Args)]
 #[command(
     arg_required_else_help = true,
-    after_help = "A corpus is a folder with a corpus.yaml, which names its recordings (BVH), their annotations, and what these mean.\n\nExamples:\n  chereme corpus init takes                  look at a folder, and write takes/corpus.yaml\n  chereme corpus check takes                 what is missing or odd, with file, line and column\n  chereme corpus build takes                 make the cache: the motions on our rig\n  chereme corpus list takes                  its recordings\n  chereme corpus init /data/takes -o my/corpus.yaml\n  chereme corpus build my --cache /tmp/cache a corpus whose folder cannot be written to\n\nExit codes: 0 fine (warnings included), 1 faults found, 2 wrong usage."
+    after_help = "A corpus is a folder with a corpus.yaml, which names its recordings (BVH), their annotations, and what these mean.\n\nExamples:\n  chereme corpus init takes                  look at a folder, and write takes/corpus.yaml\n  chereme corpus check takes                 what is missing or odd, with file, line and column\n  chereme corpus build takes                 make the cache: the motions on our rig\n  chereme corpus list takes                  its recordings\n  chereme corpus find 'configuration~5 duration<1s' takes\n                                             segments, the nearest first\n  chereme corpus bases takes                 signs that differ in the hand configuration only\n  chereme corpus annotate takes -o tiers/    what was annotated and measured, for ELAN\n  chereme corpus init /data/takes -o my/corpus.yaml\n  chereme corpus build my --cache /tmp/cache a corpus whose folder cannot be written to\n\nExit codes: 0 fine (warnings included), 1 faults found, 2 wrong usage."
 )]
 pub(super) struct Corpus {
     #[command(subcommand)]
@@ -31,6 +35,12 @@ enum Command {
     Build(build::Build),
     /// List a corpus's recordings
     List(list::List),
+    /// Find segments by what is annotated on them, or by an example
+    Find(find::Find),
+    /// Find signs that share everything but the hand configuration
+    Bases(bases::Bases),
+    /// Measure motion into tiers, for correction in ELAN
+    Annotate(annotate::Annotate),
 }
 
 /// A corpus on the command line.
@@ -59,6 +69,9 @@ impl Corpus {
             Command::Check(check) => check.run(sources),
             Command::Build(build) => build.run(),
             Command::List(list) => list.run(),
+            Command::Find(find) => find.run(),
+            Command::Bases(bases) => bases.run(),
+            Command::Annotate(annotate) => annotate.run(),
         }
     }
 }

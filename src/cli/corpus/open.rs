@@ -88,7 +88,8 @@ pub(super) fn open(named: &Named, opening: &Opening, loudness: Loudness) -> Resu
         },
     );
     drop(progress);
-    let (cache, mut tally) = building.finish(&listing, &vocabulary_of(&listing, &signer).map_err(failed)?).map_err(failed)?;
+    let (cache, mut tally) =
+        building.finish(&listing, &vocabulary_of(&listing, &signer).map_err(failed)?).map_err(failed)?;
     tally.findings.splice(0..0, listing.findings.iter().cloned());
     if let Some(why) = &tally.unwritten {
         terminal::err(&format!("the cache cannot be written, so the corpus is made each time ({why}); see --cache\n"));
