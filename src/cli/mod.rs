@@ -5,6 +5,7 @@
 
 mod check;
 mod convert;
+mod evaluate;
 mod explain;
 mod files;
 mod format;
@@ -68,6 +69,8 @@ enum Command {
     New(new::New),
     /// Say a sign in plain words: each tier, and where its value comes from
     Explain(explain::Explain),
+    /// The paper's analyses: questionnaires and their ratings, interpolations against captured motion, lags between channels
+    Evaluate(Box<evaluate::EvaluateArgs>),
     /// Print a completion script for a shell
     #[command(after_help = "Example:\n  chereme completions bash > ~/.local/share/bash-completion/completions/chereme")]
     Completions {
@@ -97,6 +100,7 @@ pub fn run() -> ExitCode {
         Command::List(list) => list.run(&cli.sources),
         Command::New(new) => new.run(),
         Command::Explain(explain) => explain.run(&cli.sources),
+        Command::Evaluate(evaluate) => evaluate.run(&cli.sources),
         Command::Completions { shell } => {
             let mut script = Vec::new();
             clap_complete::generate(shell, &mut Cli::command(), "chereme", &mut script);

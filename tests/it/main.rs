@@ -14,6 +14,8 @@ mod cli_convert;
 mod cli_each;
 mod cli_profile;
 mod docs_notation;
+mod evaluation_ratings;
+mod evaluation_statistics;
 mod examples;
 mod format_bvh;
 mod format_eaf;
