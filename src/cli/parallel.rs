@@ -49,13 +49,19 @@ pub(super) enum Loudness {
 pub(super) struct Progress(ProgressBar);
 
 impl Progress {
-    /// A bar of so many items.
+    /// A bar of so many signs.
     pub(super) fn new(items: usize, loudness: Loudness) -> Progress {
+        Progress::named(items, "signs", loudness)
+    }
+
+    /// A bar of so many items of a name.
+    pub(super) fn named(items: usize, what: &str, loudness: Loudness) -> Progress {
         let bar = match loudness {
             Loudness::Quiet => ProgressBar::hidden(),
             Loudness::Told => ProgressBar::with_draw_target(Some(items as u64), ProgressDrawTarget::stderr()),
         };
-        let style = ProgressStyle::with_template("{bar:30} {pos}/{len} signs, {per_sec}, {eta} left");
+        let style =
+            ProgressStyle::with_template(&format!("{{bar:30}} {{pos}}/{{len}} {what}, {{per_sec}}, {{eta}} left"));
         Progress(bar.with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar())))
     }
 

@@ -18,4 +18,4 @@ mod samples;
 mod write;
 
 pub use read::{GlbJoint, GlbModel, GlbMorph, GlbPart, morph_names};
-pub use write::write;
+pub use write::{write, write_all};

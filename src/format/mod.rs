@@ -9,4 +9,5 @@ pub mod eaf;
 pub mod glb;
 pub mod html;
 pub mod profile_plot;
+pub mod questionnaire;
 pub mod svg;

@@ -7,6 +7,11 @@ use crate::format::svg::chart::{Across, Chart, Mark, Panel, Shape};
 const ALL: &str = "all";
 
 /// The figure of an analysis: a panel a group and measure, a colour a version.
+///
+/// ```
+/// use chereme::evaluation::ratings::{analyse, chart};
+/// assert_eq!(chart::chart(&analyse(&[], None), "Ratings").title, "Ratings");
+/// ```
 pub fn chart(analysis: &Analysis, title: &str) -> Chart {
     let mut keys: Vec<String> = Vec::new();
     for cell in analysis.groups.iter().flat_map(|group| &group.cells) {

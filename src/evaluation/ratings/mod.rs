@@ -50,6 +50,15 @@ impl Answer {
 ///
 /// # Errors
 /// A stimulus that neither the key nor the table explains.
+///
+/// ```
+/// use chereme::diagnostics::Source;
+/// use chereme::evaluation::ratings::{join, read_answers, read_key};
+/// let given = read_answers(&Source::new("a", "participant,stimulus,answer\nP1,7f,left\n")).unwrap();
+/// let key = read_key(&Source::new("k", "stimulus,group,item,version,correct\n7f,bowls,BOL,linear,left\n")).unwrap();
+/// let (answers, warnings) = join(given, &key, &mut Default::default()).unwrap();
+/// assert!(answers[0].recognised() == Some(true) && warnings.is_empty());
+/// ```
 pub fn join(
     given: Vec<Given>,
     key: &BTreeMap<String, Stimulus>,

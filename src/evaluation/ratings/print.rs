@@ -5,6 +5,11 @@ use crate::evaluation::statistics::Method;
 use std::fmt::Write;
 
 /// The analysis as text; p at or above the threshold is "no significant difference", which is not equality.
+///
+/// ```
+/// use chereme::evaluation::ratings::{THRESHOLD, analyse, print};
+/// assert!(print::text(&analyse(&[], None), THRESHOLD).starts_with("0 participants; a difference is significant where p < 0.01"));
+/// ```
 pub fn text(analysis: &Analysis, threshold: f64) -> String {
     let people = |n| if n == 1 { "1 participant".to_owned() } else { format!("{n} participants") };
     let mut out = people(analysis.participants);
@@ -103,6 +108,11 @@ fn p(value: f64) -> String {
 }
 
 /// The analysis as CSV: a row a cell, a test over all versions, a test of two versions.
+///
+/// ```
+/// use chereme::evaluation::ratings::{analyse, print};
+/// assert!(print::csv(&analyse(&[], None)).starts_with("kind,group,item,measure"));
+/// ```
 pub fn csv(analysis: &Analysis) -> String {
     let mut rows = vec![HEADINGS.map(str::to_owned).to_vec()];
     for group in &analysis.groups {
