@@ -35,7 +35,7 @@ fn the_right_model_wins_with_nearly_no_error() {
     ];
     for (easing, model) in right {
         let transition = compare(&fingers(easing), 36, 84, SMOOTHING).unwrap();
-        assert!(error(&transition, model) < 1e-4 && transition.path_error < 3e-3, "{easing}: {transition:?}");
+        assert!(error(&transition, model) < 1e-4 && transition.path_error < 1e-4, "{easing}: {transition:?}");
         let close = transition.models[model as usize];
         assert!((close.peak_height - 1.0).abs() < 0.01, "{easing}: {close:?}");
         assert!(close.correlation.unwrap() > 0.999, "{easing}: {close:?}");

@@ -16,16 +16,17 @@ proptest! {
 
     #[test]
     fn known_lags_are_found(configuration in -0.3..0.3f64, palm in -0.3..0.3f64) {
-        // All three last 0.8 s, so the threshold is reached as long before the end in each.
+        // All three last 0.8 s, so the threshold is reached as long before the end in each; bent fingers move their tips
+        // less, and reach it somewhat earlier.
         let clip = take(60.0, jerk(0.7, 1.5), jerk(0.7 + palm, 1.5 + palm), jerk(0.7 + configuration, 1.5 + configuration));
         let stops = find("take", &clip, &Rule::default());
         prop_assert_eq!(stops.len(), 1);
         let lag = |channel| stops[0].lag(channel).unwrap();
-        prop_assert!((lag(Channel::Configuration) - configuration).abs() < 0.01, "{} {configuration}", lag(Channel::Configuration));
+        prop_assert!((lag(Channel::Configuration) - configuration).abs() < 0.02, "{} {configuration}", lag(Channel::Configuration));
         prop_assert!((lag(Channel::Palm) - palm).abs() < 0.01, "{} {palm}", lag(Channel::Palm));
         let share = stops[0].share(Channel::Configuration).unwrap();
         let lasts = stops[0].wrist.end.0 - stops[0].wrist.start.0;
-        prop_assert!((share - 1.0 - configuration / lasts).abs() < 0.02);
+        prop_assert!((share - 1.0 - configuration / lasts).abs() < 0.03);
     }
 }
 
@@ -51,7 +52,7 @@ fn medians_are_over_takes_and_repeat() {
         .collect();
     let summaries = summarise(&stops, 3);
     let median = summaries[0].lag.unwrap();
-    assert!((median.value + 0.14).abs() < 0.01 && median.clusters == 4 && summaries[0].earlier == 1.0, "{summaries:?}");
+    assert!((median.value + 0.14).abs() < 0.02 && median.clusters == 4 && summaries[0].earlier == 1.0, "{summaries:?}");
     assert!(summaries[2].what == "configuration against palm" && summaries[2].share.is_none());
     assert_eq!(summaries, summarise(&stops, 3));
 }

@@ -61,6 +61,9 @@ fn tables_with_faults_are_told_with_their_place() {
     let nobody =
         run(&folder.0, &["evaluate", "ratings", "-", "--key", "key.csv", "--level", "interpreter"], &answers());
     assert!(nobody.code == 1 && nobody.err.contains("no participant is left"), "{}", nobody.err);
+    folder.write("other.csv", &KEY.replace("a1,pointing,one,linear", "a1,pointing,one,sigmoid"));
+    let two = run(&folder.0, &["evaluate", "ratings", "-", "--key", "key.csv", "--key", "other.csv"], &answers());
+    assert!(two.code == 1 && two.err.contains("other.csv: another key says otherwise of `a1`"), "{}", two.err);
     let none = run(&folder.0, &["evaluate", "ratings", "missing.csv"], "");
     assert_eq!(none.code, 2, "{}", none.err);
 }

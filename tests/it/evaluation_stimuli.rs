@@ -29,6 +29,12 @@ fn every_stimulus_is_asked_once_under_a_name_that_says_nothing() {
 }
 
 #[test]
+fn questionnaires_of_one_seed_share_no_names() {
+    let [placement, configuration] = Set::ALL.map(|set| blind(set, &set.sheet(), 0).names);
+    assert!(placement.iter().all(|name| !configuration.contains(name)));
+}
+
+#[test]
 fn table_2_is_there() {
     let sheet = Set::Configuration.sheet();
     let versions = |item: &str| sheet.stimuli.iter().filter(|s| s.item == item).count();

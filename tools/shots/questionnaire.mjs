@@ -14,7 +14,8 @@ if (!chereme) {
 const folder = mkdtempSync(path.join(tmpdir(), 'chereme-questionnaire-'));
 if (pictures) mkdirSync(pictures, { recursive: true });
 // An opaque name's right answer.
-const rows = readFileSync(key, 'utf8').trim().split('\n').map((line) => line.split(','));
+const cells = (line) => [...line.matchAll(/(?:^|,)(?:"((?:[^"]|"")*)"|([^,"]*))/g)].map(([, quoted, plain]) => quoted ?? plain);
+const rows = readFileSync(key, 'utf8').trim().split('\n').map(cells);
 const at = (name) => rows[0].indexOf(name);
 const right = Object.fromEntries(rows.slice(1).map((row) => [row[at('stimulus')], row[at('correct')]]));
 const fail = (what) => { throw new Error(what); };

@@ -60,7 +60,13 @@ impl Ratings {
         let mut key = BTreeMap::new();
         for path in &self.key {
             let source = text(path)?;
-            key.extend(read_key(&source).map_err(|faults| told(&faults, &source))?);
+            for (name, stimulus) in read_key(&source).map_err(|faults| told(&faults, &source))? {
+                if key.get(&name).is_some_and(|known| *known != stimulus) {
+                    let what = format!("{}: another key says otherwise of `{name}`", source.name);
+                    return Err(Failure::Faults(Some(what)));
+                }
+                key.insert(name, stimulus);
+            }
         }
         let mut answers = Vec::new();
         let mut seen = BTreeSet::new();

@@ -10,8 +10,10 @@ use crate::motion::clip::Clip;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-/// Metres in a unit of a hand alone: sensors give millimetres.
-const MILLIMETRE: f64 = 0.001;
+/// Metres in the units that hands alone are recorded in.
+const HAND_UNITS: [f64; 3] = [0.001, 0.01, 1.0];
+/// The extents of a hand at rest, metres: from a child's to a large one.
+const HAND_M: std::ops::Range<f64> = 0.07..0.45;
 
 /// What a file holds.
 pub(super) enum Take {
@@ -87,8 +89,19 @@ fn take(path: &Path) -> Read {
         let what = first.map_or("it is no BVH file", |f| f.message.as_str());
         format!("{}:{line}:{column}: {what}", path.display())
     })?;
-    let metres_per_unit = bvh::propose_unit(&reading.bvh).map_or(MILLIMETRE, |unit| unit.metres_per_unit);
+    let proposed = bvh::propose_unit(&reading.bvh).map(|unit| unit.metres_per_unit);
+    let metres_per_unit = proposed.or_else(|| unit_of_hand(&reading.bvh)).ok_or_else(|| {
+        format!("{}: the skeleton is as large as neither a person nor a hand, in any unit", path.display())
+    })?;
     let options = bvh::ClipOptions { metres_per_unit, roots: bvh::Roots::First };
     let converted = bvh::to_clip(&reading.bvh, &options).map_err(|e| format!("{}: {e}", path.display()))?;
     Ok(Take::Clip(name, Arc::new(converted.clip)))
+}
+
+/// The unit in which a hand alone is as large as a hand.
+fn unit_of_hand(bvh: &bvh::Bvh) -> Option<f64> {
+    let rest = bvh.rest_positions();
+    let first = rest.first().copied()?;
+    let extent = rest.iter().map(|p| p.distance(first)).fold(0.0, f64::max);
+    HAND_UNITS.into_iter().find(|unit| HAND_M.contains(&(extent * unit)))
 }

@@ -158,10 +158,21 @@ fn error(way: &Way, frames: &[Vec<DVec3>], easing: Easing) -> f64 {
     (squares.sum::<f64>() / frames.len() as f64).sqrt()
 }
 
-/// The same to the nearest sample of the way, whatever its instant.
+/// The same to the nearest place of the way, whatever its instant.
 fn path_error(way: &Way, frames: &[Vec<DVec3>]) -> f64 {
-    let nearest = |f: &Vec<DVec3>| way.samples().iter().map(|s| distance(f, s)).fold(f64::INFINITY, f64::min);
+    let nearest =
+        |f: &Vec<DVec3>| way.samples().windows(2).map(|s| to_line(f, &s[0], &s[1])).fold(f64::INFINITY, f64::min);
     (frames.iter().map(|f| nearest(f).powi(2)).sum::<f64>() / frames.len() as f64).sqrt()
+}
+
+/// How far points are from the nearest place between two others.
+fn to_line(points: &[DVec3], from: &[DVec3], to: &[DVec3]) -> f64 {
+    let all = || points.iter().zip(from).zip(to);
+    let along = all().map(|((p, a), b)| (*p - *a).dot(*b - *a)).sum::<f64>();
+    let length = from.iter().zip(to).map(|(a, b)| a.distance_squared(*b)).sum::<f64>();
+    let share = if length > 0.0 { (along / length).clamp(0.0, 1.0) } else { 0.0 };
+    let squares = all().map(|((p, a), b)| p.distance_squared(a.lerp(*b, share))).sum::<f64>();
+    (squares / points.len().max(1) as f64).sqrt()
 }
 
 /// The captured speed from one frame to another; smoothing looks beyond them.

@@ -17,6 +17,7 @@ pub fn text(analysis: &Analysis, threshold: f64) -> String {
         let _ = write!(out, " ({} left out by level)", analysis.left_out);
     }
     let _ = writeln!(out, "; a difference is significant where p < {threshold}, after Holm among pairs");
+    out += "Answers are tested as if they were independent, as in the paper, though one person gives several; no significant difference is not equality.\n";
     for group in &analysis.groups {
         let _ = write!(out, "\n{}\n", group.name);
         out += &cells(group);
@@ -64,17 +65,17 @@ fn comparison(comparison: &Comparison, threshold: f64) -> String {
         Some(item) => format!("{} of {item}", comparison.measure),
         None => comparison.measure.to_string(),
     };
-    let mut out = match &comparison.all {
-        Some(all) => format!(
-            "  {about}: Kruskal–Wallis H({}) = {:.3}, p = {}, ε² = {:.3}: {}\n",
-            all.df,
-            all.h,
-            p(all.p),
-            all.epsilon_squared,
-            verdict(all.p, threshold)
-        ),
-        None => format!("  {about}: all values are equal\n"),
+    let Some(all) = &comparison.all else {
+        return format!("  {about}: all values are equal, there is nothing to test\n");
     };
+    let mut out = format!(
+        "  {about}: Kruskal–Wallis H({}) = {:.3}, p = {}, ε² = {:.3}: {}\n",
+        all.df,
+        all.h,
+        p(all.p),
+        all.epsilon_squared,
+        verdict(all.p, threshold)
+    );
     for pair in &comparison.pairs {
         out += &line(pair, threshold);
     }

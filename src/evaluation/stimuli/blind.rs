@@ -27,6 +27,8 @@ pub struct Blind {
 /// ```
 pub fn blind(set: Set, sheet: &Sheet, seed: u64) -> Blind {
     let mut random = ChaCha8Rng::seed_from_u64(seed);
+    // Two questionnaires of one seed share no names: their answers may be analysed together.
+    random.set_stream(set as u64);
     let mut used = BTreeSet::new();
     let mut name = || loop {
         let name = format!("{:06x}", random.next_u32() >> 8);

@@ -7,10 +7,10 @@ use crate::motion::easing::Easing;
 /// Group, item, version, gloss, right answer of the signs whose configuration is exchanged. The paper's rooster (§7.2) is its
 /// chicken (§5.1): the cat's walk with 3; its H is the shape of K.
 const EXCHANGED: [(&str, &str, &str, &str, &str); 5] = [
-    ("snails", "ESCARGOT", "Y, as described", "ESCARGOT", "snail"),
+    ("snails", "ESCARGOT", "Y (described)", "ESCARGOT", "snail"),
     ("snails", "ESCARGOT", "H", "ESCARGOT-H", "snail"),
     ("snails", "LIMACE", "U", "LIMACE", "slug"),
-    ("walks", "CHAT-MARCHE", "U, as described", "CHAT-MARCHE", "cat"),
+    ("walks", "CHAT-MARCHE", "U (described)", "CHAT-MARCHE", "cat"),
     ("walks", "POULE-MARCHE", "3", "POULE-MARCHE", "rooster"),
 ];
 
