@@ -117,6 +117,11 @@ fn summaries_say_which_is_nearest() {
     assert_eq!((row(Model::MinimumJerk).nearest, row(Model::Sigmoid).nearest), (1.0, 0.0));
     assert!(row(Model::MinimumJerk).against_sigmoid.unwrap().high < 0.0);
     assert_eq!(reports, summarise(&found, 1));
+    let text = print::text(&reports, &Rule::default());
+    assert!(
+        text.contains("nearest on average: minimum jerk (nearer than the sigmoid, which the paper chose)"),
+        "{text}"
+    );
     assert_eq!(print::csv(&found).lines().count(), 1 + 3 * 5);
 }
 
@@ -145,6 +150,38 @@ fn the_command_measures_files_and_says_what_it_cannot_read() {
     assert!(share.code == 2 && share.err.contains("between 0 and 1"), "{}", share.err);
     let still = run(&folder.0, &["evaluate", "interpolation", "takes/broken.bvh"], "");
     assert!(still.code == 1 && still.err.contains("no recording that can be read"), "{}", still.err);
+}
+
+#[test]
+fn tables_of_markers_are_read_or_refused_with_their_place() {
+    let folder = Folder::new("markers");
+    let mut table =
+        String::from("NO_OF_FRAMES\t160\nFREQUENCY\t100\nMARKER_NAMES\thand_top\tright_elbow\tright_shoulder\n");
+    table += "Frame\tTime\thand_top X\thand_top Y\thand_top Z\tright_elbow X\tright_elbow Y\tright_elbow Z\tright_shoulder X\tright_shoulder Y\tright_shoulder Z\n";
+    for i in 0..160 {
+        let w = Easing::MinimumJerk.weight((f64::from(i) - 40.0) / 80.0);
+        let (x, y) = (250.0 * (1.2 * w).sin(), -300.0 - 250.0 * (1.2 * w).cos());
+        table += &format!("{i}\t{}\t{x}\t{y}\t0\t0\t-300\t0\t0\t0\t0\n", f64::from(i) / 100.0);
+    }
+    folder.write("arm.tsv", &table);
+    let done = run(&folder.0, &["evaluate", "interpolation", "arm.tsv", "-q"], "");
+    assert!(done.code == 0 && done.out.contains("reaching: 1 transitions of 1 takes"), "{}{}", done.out, done.err);
+    // The cut takes the slow ends of a minimum-jerk movement away, and what is left is nearer to the cosine: the bias that
+    // the module's documentation names.
+    assert!(done.out.contains("nearest on average: cosine"), "{}", done.out);
+    let refused = |name: &str, text: &str, what: &str| {
+        folder.write(name, text);
+        let done = run(&folder.0, &["evaluate", "interpolation", name, "-q"], "");
+        assert!(done.code == 1 && done.err.contains(what), "{}", done.err);
+    };
+    refused("hole.tsv", &table.replace("\n7\t0.07\t0\t", "\n7\t0.07\t\t"), "line 12, column 3: `` is no number");
+    refused("rate.tsv", &table.replace("FREQUENCY\t100", "FREQUENCY\t0"), "no row FREQUENCY");
+    refused("names.tsv", &table.replace("elbow", "knee"), "no marker whose name ends in `elbow`");
+    refused(
+        "huge.bvh",
+        "HIERARCHY\nROOT Palm {\n OFFSET 0 0 0\n CHANNELS 1 Xrotation\n End Site {\n OFFSET 0 1 0 } }\nMOTION\nFrames: 1\nFrame Time: .1\n0\n",
+        "neither a person nor a hand",
+    );
 }
 
 /// Captured takes: each has transitions, and no model but the fitted one is better than the fitted one.

@@ -35,6 +35,28 @@ fn questionnaires_of_one_seed_share_no_names() {
 }
 
 #[test]
+fn every_motion_of_an_avatar_has_its_own_duration() {
+    use chereme::motion::clip::{Clip, Frame};
+    use chereme::motion::{pose::LocalPose, skeleton::Skeleton};
+    let rig = std::sync::Arc::new(Skeleton::from_json(chereme::avatar::SKELETON).unwrap());
+    let still = |frames: usize| {
+        let rest = Frame { pose: LocalPose::rest(&rig), weights: vec![] };
+        let clip = Clip::new(rig.clone(), chereme::time::Fps::DEFAULT, vec![].into(), vec![rest; frames]).unwrap();
+        chereme::track::Track { clip, tiers: vec![] }
+    };
+    let (long, short) = (still(61), still(31));
+    let glb =
+        chereme::format::glb::write_all(chereme::avatar::GLB, &[("a", &long), ("b", &short), ("c", &long)]).unwrap();
+    let length = u32::from_le_bytes(glb[12..16].try_into().unwrap()) as usize;
+    let json: serde_json::Value = serde_json::from_slice(&glb[20..20 + length]).unwrap();
+    let last = |n: usize| {
+        let input = json["animations"][n]["samplers"][0]["input"].as_u64().unwrap() as usize;
+        json["accessors"][input]["max"][0].as_f64().unwrap()
+    };
+    assert_eq!([last(0), last(1), last(2)], [1.0, 0.5, 1.0]);
+}
+
+#[test]
 fn table_2_is_there() {
     let sheet = Set::Configuration.sheet();
     let versions = |item: &str| sheet.stimuli.iter().filter(|s| s.item == item).count();

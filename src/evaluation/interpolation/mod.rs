@@ -8,6 +8,8 @@
 //! # What to keep in mind
 //! - Where rest begins decides what fits: a sigmoid that is cut where its speed falls to a share r of its peak is a sigmoid with
 //!   k = 4 arcosh(1/√r): 8.7 for 5 %, 7.3 for 10 %, 10 for 2.7 %. So the fitted k belongs to the threshold, which is printed with it.
+//!   A minimum-jerk movement cut at 5 % is nearer to the cosine (error 1.1 %) than to minimum jerk (2.0 %): the cut takes slow ends
+//!   away, and so speaks against the interpolations that have them.
 //! - Sensors smooth, and so do we (both sides alike): a jerk that is shorter than the smoothing is not seen.
 //! - The paper judged two gestures by eye. Here many are measured; results are printed whatever they say.
 

@@ -1,6 +1,6 @@
 //! The comparison as tables: for the eye, and a row a transition for other programs.
 
-use super::{Interval, Model, Report, Rule, Transition};
+use super::{Interval, Model, Report, Row, Rule, Transition};
 use std::fmt::Write;
 
 /// The reports as text.
@@ -56,7 +56,24 @@ fn one(report: &Report) -> String {
             value(row.peak_height, 2),
         ]);
     }
-    out + &columns(&rows)
+    out + &columns(&rows) + &finding(report)
+}
+
+/// Which interpolation is nearest on average, beside what the paper found: the sigmoid (its figures 6 and 10, judged by eye).
+fn finding(report: &Report) -> String {
+    let mut fixed: Vec<&Row> = report.rows.iter().filter(|row| row.model != Model::Fitted).collect();
+    let error = |row: &Row| row.error.map_or(f64::INFINITY, |e| e.value);
+    fixed.sort_by(|a, b| error(a).total_cmp(&error(b)));
+    let [best, second, ..] = fixed[..] else { return String::new() };
+    let told = match best.model {
+        Model::Sigmoid if second.against_sigmoid.is_some_and(|d| d.low > 0.0) => "as in the paper".to_owned(),
+        Model::Sigmoid => format!("as in the paper, but {} is not told apart from it", second.model),
+        _ if best.against_sigmoid.is_some_and(|d| d.high < 0.0) => {
+            "nearer than the sigmoid, which the paper chose".to_owned()
+        }
+        _ => "not told apart from the sigmoid, which the paper chose".to_owned(),
+    };
+    format!("  nearest on average: {} ({told})\n", best.model)
 }
 
 /// Rows in columns of one width, the first to the left.
