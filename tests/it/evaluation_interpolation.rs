@@ -3,7 +3,7 @@
 use crate::cli::{Folder, run};
 use crate::evaluation_moving::{When, take};
 use crate::shared::shared;
-use chereme::evaluation::interpolation::{Model, Rule, Transition, compare, find, print, summarise};
+use chereme::evaluation::interpolation::{Model, Rule, Transition, Trim, compare, find, print, summarise};
 use chereme::evaluation::kinematics::cut::transitions;
 use chereme::evaluation::kinematics::{Kind, Movement, distance};
 use chereme::format::bvh;
@@ -67,6 +67,24 @@ proptest! {
             prop_assert!((cut.start as f64..=cut.go.ceil()).contains(&cut.go) && cut.stop <= cut.end as f64);
         }
         prop_assert!(cuts.windows(2).all(|pair| pair[0].end <= pair[1].start));
+    }
+}
+
+/// Cut at 5 %, a minimum-jerk movement is nearest to the cosine; held against interpolations that are cut as well, to itself.
+#[test]
+fn trimmed_interpolations_undo_the_bias_of_the_cut() {
+    for (easing, model) in [(Easing::MinimumJerk, Model::MinimumJerk), (Easing::Cosine, Model::Cosine)] {
+        let rule = Rule { trim: Trim::AsCut, smoothing: Seconds(0.0), ..Rule::default() };
+        let when = When::new(0.6, 1.4, easing);
+        let movements = Movement::of_clip("take", &take(240.0, when, when, when));
+        let hand = movements.iter().find(|m| m.kind() == Kind::Hand).unwrap();
+        let found = find(hand, &rule);
+        assert_eq!(found.len(), 1);
+        let own = error(&found[0], model);
+        assert!(own < 0.005, "{easing}: {:?}", found[0]);
+        let others =
+            [Model::Slerp, Model::Cosine, Model::MinimumJerk, Model::Sigmoid].into_iter().filter(|m| *m != model);
+        others.for_each(|other| assert!(error(&found[0], other) > own, "{other} for {easing}: {:?}", found[0]));
     }
 }
 

@@ -1,5 +1,6 @@
 //! One captured transition against the interpolations between its ends.
 
+use crate::evaluation::interpolation::timing::{Ends, Timing};
 use crate::evaluation::kinematics::{Kind, Movement, Way, distance, smoothed, speed};
 use crate::evaluation::statistics::describe::correlation;
 use crate::motion::easing::{Easing, PAPER_STEEPNESS};
@@ -108,18 +109,29 @@ pub struct Transition {
 /// assert!(transition.models[Model::MinimumJerk as usize].error < 1e-9);
 /// ```
 pub fn compare(movement: &Movement, start: usize, end: usize, smoothing: Seconds) -> Option<Transition> {
+    compare_with(movement, start, end, smoothing, Ends::Whole)
+}
+
+/// As [`compare()`], with interpolations that are whole, or trimmed as the motion was.
+pub(super) fn compare_with(
+    movement: &Movement,
+    start: usize,
+    end: usize,
+    smoothing: Seconds,
+    ends: Ends,
+) -> Option<Transition> {
     let frames = movement.frames().get(start..=end).filter(|frames| frames.len() >= 4)?;
     let amplitude = distance(&frames[0], &frames[frames.len() - 1]);
     if amplitude <= 1e-9 {
         return None;
     }
     let way = movement.way(start, end);
-    let error = |easing: Easing| error(&way, frames, easing) / amplitude;
+    let error = |easing: Easing| error(&way, frames, Timing::of(easing, ends)) / amplitude;
     let k = least(FLATTEST, STEEPEST, |k| error(Easing::Sigmoid { k }));
     let captured = speed_within(movement, start, end, smoothing);
     let models = Model::ALL.map(|model| {
         let easing = model.easing(k);
-        let own = speed_of(movement, &way, easing, frames.len(), smoothing);
+        let own = speed_of(movement, &way, Timing::of(easing, ends), frames.len(), smoothing);
         let (top, peak) = (highest(&captured), highest(&own));
         Closeness {
             error: error(easing),
@@ -150,7 +162,7 @@ fn share(frame: usize, frames: usize) -> f64 {
 }
 
 /// Root mean square distance, metres.
-fn error(way: &Way, frames: &[Vec<DVec3>], easing: Easing) -> f64 {
+fn error(way: &Way, frames: &[Vec<DVec3>], easing: Timing) -> f64 {
     let squares = frames.iter().enumerate().map(|(i, captured)| {
         let weight = easing.weight(share(i, frames.len()));
         distance(captured, &way.at(weight)).powi(2)
@@ -184,7 +196,7 @@ fn speed_within(movement: &Movement, start: usize, end: usize, smoothing: Second
 }
 
 /// The speed of an interpolation that stands still before and after.
-fn speed_of(movement: &Movement, way: &Way, easing: Easing, frames: usize, smoothing: Seconds) -> Vec<f64> {
+fn speed_of(movement: &Movement, way: &Way, easing: Timing, frames: usize, smoothing: Seconds) -> Vec<f64> {
     let pad = padding(movement, smoothing);
     let clamped = |i: usize| share(i.saturating_sub(pad).min(frames - 1), frames);
     let path: Vec<Vec<DVec3>> = (0..frames + 2 * pad).map(|i| way.at(easing.weight(clamped(i)))).collect();

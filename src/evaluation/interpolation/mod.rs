@@ -9,7 +9,8 @@
 //! - Where rest begins decides what fits: a sigmoid that is cut where its speed falls to a share r of its peak is a sigmoid with
 //!   k = 4 arcosh(1/√r): 8.7 for 5 %, 7.3 for 10 %, 10 for 2.7 %. So the fitted k belongs to the threshold, which is printed with it.
 //!   A minimum-jerk movement cut at 5 % is nearer to the cosine (error 1.1 %) than to minimum jerk (2.0 %): the cut takes slow ends
-//!   away, and so speaks against the interpolations that have them.
+//!   away, and so speaks against the interpolations that have them. [`Trim::AsCut`] cuts the interpolations by the same rule: then shapes
+//!   are compared, and a sigmoid's k cannot be told from any greater one once both are cut.
 //! - Sensors smooth, and so do we (both sides alike): a jerk that is shorter than the smoothing is not seen.
 //! - The paper judged two gestures by eye. Here many are measured; results are printed whatever they say.
 
@@ -17,9 +18,11 @@ pub mod chart;
 mod compare;
 pub mod print;
 mod summary;
+mod timing;
 
 pub use compare::{Closeness, Model, PROFILE, Transition, compare};
 pub use summary::{Interval, Report, Row, summarise};
+pub use timing::{Ends, Timing};
 
 use super::kinematics::cut::transitions;
 use super::kinematics::{Kind, Movement, distance, smoothed, speed};
@@ -40,6 +43,17 @@ pub struct Rule {
     pub lasts: (Seconds, Seconds),
     /// The least share of the path that leads to its end: below it the motion goes out and back, or round.
     pub straightness: f64,
+    /// Whether interpolations are trimmed as the motion is.
+    pub trim: Trim,
+}
+
+/// What is held against the motion between the ends of a cut.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Trim {
+    /// The whole interpolation, as the paper did and as synthesis plays it.
+    Whole,
+    /// What is left of it where it is cut by the same rule.
+    AsCut,
 }
 
 impl Default for Rule {
@@ -51,6 +65,17 @@ impl Default for Rule {
             least_arm: 0.08,
             lasts: (Seconds(0.1), Seconds(2.0)),
             straightness: 0.75,
+            trim: Trim::Whole,
+        }
+    }
+}
+
+impl Rule {
+    /// What is held against the motion.
+    pub fn ends(&self) -> Ends {
+        match self.trim {
+            Trim::Whole => Ends::Whole,
+            Trim::AsCut => Ends::Cut(self.rest),
         }
     }
 }
@@ -85,5 +110,5 @@ pub fn find(movement: &Movement, rule: &Rule) -> Vec<Transition> {
             && amplitude >= rule.straightness * length
     };
     let found = cuts.iter().filter(|cut| counts(cut.start, cut.end));
-    found.filter_map(|cut| compare(movement, cut.start, cut.end, rule.smoothing)).collect()
+    found.filter_map(|cut| compare::compare_with(movement, cut.start, cut.end, rule.smoothing, rule.ends())).collect()
 }

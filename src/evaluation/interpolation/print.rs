@@ -1,6 +1,6 @@
 //! The comparison as tables: for the eye, and a row a transition for other programs.
 
-use super::{Interval, Model, Report, Row, Rule, Transition};
+use super::{Interval, Model, Report, Row, Rule, Transition, Trim};
 use std::fmt::Write;
 
 /// The reports as text.
@@ -15,6 +15,9 @@ pub fn text(reports: &[Report], rule: &Rule) -> String {
         100.0 * rule.rest,
         1000.0 * rule.smoothing.0
     );
+    if rule.trim == Trim::AsCut {
+        out += "interpolations are trimmed as the motion is; a fitted k cannot be told from any greater one\n";
+    }
     for report in reports {
         out += &one(report);
     }
