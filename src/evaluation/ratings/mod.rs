@@ -1,6 +1,6 @@
 //! What people say of synthesized signing: the answers of questionnaires, and their analysis (Naert et al. 2021, §7).
 //!
-//! The tables are read ([`read_answers`], [`read_key`]), joined ([`join`]) and analysed ([`analyse`]); [`print`] makes a
+//! The tables are read ([`read_answers`], [`read_key`]), joined ([`join`]) and analysed ([`analyse`]); [`mod@print`] makes a
 //! table of the result, [`chart`] a figure like the paper's 15 to 17.
 //!
 //! # Departs from the paper
