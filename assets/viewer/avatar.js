@@ -14,7 +14,10 @@ const OUTLINED = ['face', 'hands', 'suit', ''];
 /** In the T-pose, what is this far from the middle (metres) is forearm and hand. */
 const FOREARM = 0.4;
 
-/** Loads the GLB and returns { root, bones, duration, pose(t) }; `t` is in seconds. */
+/**
+ * Loads the GLB and returns { root, bones, duration, pose(t), choose(name) }; `t` is in seconds. The first motion is posed
+ * until another one is chosen by its name.
+ */
 export async function loadAvatar(bytes) {
   const gltf = await new GLTFLoader().parseAsync(bytes, '');
   const root = gltf.scene, bones = {}, meshes = [];
@@ -31,9 +34,9 @@ export async function loadAvatar(bytes) {
     }
     if (OUTLINED.includes(mesh.material.name)) addOutline(mesh, outline, LAYERS.body);
   }
-  const clip = gltf.animations[0];
   const mixer = new AnimationMixer(root);
-  const action = clip ? mixer.clipAction(clip).play() : null;
+  let clip = gltf.animations[0];
+  let action = clip ? mixer.clipAction(clip).play() : null;
   const pose = (t) => {
     if (action) {
       action.time = Math.min(Math.max(t, 0), clip.duration);
@@ -41,8 +44,19 @@ export async function loadAvatar(bytes) {
     }
     root.updateMatrixWorld(true);
   };
+  const avatar = { root, bones, outline, duration: clip ? clip.duration : 0, pose };
+  /** Poses another motion from now on; joints that it leaves alone go back to rest. */
+  avatar.choose = (name) => {
+    const chosen = gltf.animations.find((animation) => animation.name === name);
+    if (!chosen) throw new Error(`the avatar has no motion "${name}"`);
+    action?.stop();
+    clip = chosen;
+    action = mixer.clipAction(clip).play();
+    avatar.duration = clip.duration;
+    pose(0);
+  };
   pose(0);
-  return { root, bones, outline, duration: clip ? clip.duration : 0, pose };
+  return avatar;
 }
 
 /** Splits the parts that have forearms or hands into right, left and body, each on its layer. */

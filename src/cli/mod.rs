@@ -6,6 +6,7 @@
 mod check;
 mod convert;
 mod corpus;
+mod evaluate;
 mod explain;
 mod files;
 mod format;
@@ -71,6 +72,8 @@ enum Command {
     New(new::New),
     /// Say a sign in plain words: each tier, and where its value comes from
     Explain(explain::Explain),
+    /// The paper's analyses: questionnaires and their ratings, interpolations against captured motion, lags between channels
+    Evaluate(Box<evaluate::EvaluateArgs>),
     /// Print a completion script for a shell
     #[command(after_help = "Example:\n  chereme completions bash > ~/.local/share/bash-completion/completions/chereme")]
     Completions {
@@ -101,6 +104,7 @@ pub fn run() -> ExitCode {
         Command::List(list) => list.run(&cli.sources),
         Command::New(new) => new.run(),
         Command::Explain(explain) => explain.run(&cli.sources),
+        Command::Evaluate(evaluate) => evaluate.run(&cli.sources),
         Command::Completions { shell } => {
             let mut script = Vec::new();
             clap_complete::generate(shell, &mut Cli::command(), "chereme", &mut script);

@@ -65,26 +65,28 @@ pub fn write(avatar: &[u8], track: &Track, page: &Page) -> Result<String, Error>
         "still": null,
         "glb": base64::engine::general_purpose::STANDARD.encode(glb),
     });
-    Ok(join(&data.to_string()))
+    Ok(join(TEMPLATE, &[STYLE], &data.to_string(), &[]))
 }
 
-/// Puts the page together around its data, a JSON text.
-fn join(data: &str) -> String {
+/// Puts a page together: its template, styles, data (a JSON text) and modules beside the viewer's own. The module
+/// `main.js` begins; one of the page's own stands in place of the viewer's.
+pub(super) fn join(template: &str, styles: &[&str], data: &str, own: &[(&str, &str)]) -> String {
     // A "<" can stand only inside a string of the JSON, where this is the same letter.
     let data = data.replace('<', "\\u003c");
     let mut modules = format!("<!--\nthree.js, embedded below:\n{}-->\n", LICENCE.replace("--", "- -"));
-    for (path, text) in MODULES {
+    let replaced = |path: &str| own.iter().any(|(name, _)| *name == path);
+    for (path, text) in MODULES.iter().filter(|(path, _)| !replaced(path)).chain(own) {
         let name = path.rsplit('/').next().unwrap_or(path);
         modules += &format!("<script type=\"text/plain\" data-module=\"{name}\">\n{}</script>\n", script(text));
     }
     modules += &format!("<script>\n{}</script>", script(BOOT));
     let data = format!("<script type=\"application/json\" id=\"chereme-data\">{data}</script>");
     // The marks are replaced in one pass, so that a mark inside an inserted text stays as it is.
-    let mut page = String::with_capacity(TEMPLATE.len() + data.len() + modules.len() + STYLE.len());
-    let mut rest = TEMPLATE;
-    for (mark, text) in
-        [("/*chereme:style*/", STYLE), ("<!--chereme:data-->", &data), ("<!--chereme:modules-->", &modules)]
-    {
+    let style = styles.concat();
+    let mut page = String::with_capacity(template.len() + data.len() + modules.len() + style.len());
+    let mut rest = template;
+    let marks = [("/*chereme:style*/", &style), ("<!--chereme:data-->", &data), ("<!--chereme:modules-->", &modules)];
+    for (mark, text) in marks {
         let (before, after) = rest.split_once(mark).unwrap_or((rest, ""));
         page += before;
         page += text;

@@ -12,6 +12,7 @@ pub mod html;
 pub mod markers;
 pub mod profile_plot;
 pub mod segments;
+pub mod questionnaire;
 pub mod svg;
 pub mod text;
 pub mod textgrid;

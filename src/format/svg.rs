@@ -7,6 +7,7 @@
 //! Seconds to the right, the row's unit upwards. One file without references, for light and dark surroundings (`prefers-color-scheme`);
 //! all text is escaped. The same figure gives the same bytes.
 
+pub mod chart;
 mod draw;
 mod scale;
 

@@ -35,13 +35,19 @@ impl Samples {
         }
     }
 
-    /// The latest key time so far, seconds; 0 where there is none.
+    /// Begins an animation: none of its keys is written yet.
+    pub(super) fn begin(&mut self) {
+        self.last_time = 0.0;
+    }
+
+    /// The latest key time of the animation so far, seconds; 0 where there is none.
     pub(super) fn last_time(&self) -> f32 {
         self.last_time
     }
 
     /// Key times in seconds, ascending; returns the accessor's number, the same one for the same times.
     pub(super) fn times(&mut self, times: &[f32]) -> usize {
+        self.last_time = times.last().copied().unwrap_or(0.0).max(self.last_time);
         let bytes: Vec<u8> = times.iter().flat_map(|t| t.to_le_bytes()).collect();
         if let Some(&known) = self.times.get(&bytes) {
             return known;
@@ -51,7 +57,6 @@ impl Samples {
             accessor["min"] = json!([times.first()]);
             accessor["max"] = json!([times.last()]);
         }
-        self.last_time = times.last().copied().unwrap_or(0.0).max(self.last_time);
         self.times.insert(bytes, index);
         index
     }

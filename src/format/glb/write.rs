@@ -30,20 +30,39 @@ use serde_json::{Map, Value, json};
 /// assert!(bytes.starts_with(b"glTF"));
 /// ```
 pub fn write(avatar: &[u8], track: &Track) -> Result<Vec<u8>, Error> {
+    write_all(avatar, &[("signing", track)])
+}
+
+/// The avatar's GLB with several motions, each an animation of its name; as [`write()`] otherwise.
+///
+/// # Errors
+/// Those of [`write()`].
+///
+/// ```
+/// use chereme::{avatar, format::glb, motion::{clip::{Clip, Frame}, pose::LocalPose, skeleton::Skeleton}, time::Fps, track::Track};
+/// let rig = Skeleton::from_json(avatar::SKELETON).unwrap();
+/// let rest = Frame { pose: LocalPose::rest(&rig), weights: vec![] };
+/// let clip = Clip::new(rig.into(), Fps::DEFAULT, vec![].into(), vec![rest.clone(), rest]).unwrap();
+/// let track = Track { clip, tiers: vec![] };
+/// let both = glb::write_all(avatar::GLB, &[("a", &track), ("b", &track)]).unwrap();
+/// assert!(String::from_utf8_lossy(&both).contains(r#""name":"b""#));
+/// ```
+pub fn write_all(avatar: &[u8], tracks: &[(&str, &Track)]) -> Result<Vec<u8>, Error> {
     let Container { mut json, bin } = Container::parse(avatar)?;
-    let clip = &track.clip;
     let nodes = json["nodes"].as_array().cloned().unwrap_or_default();
     let mut samples = Samples::new(&json, bin);
-    let mut animation = Animation::default();
-    rotations(clip, &nodes, &mut samples, &mut animation)?;
-    weights(clip, &json, &nodes, &mut samples, &mut animation)?;
-    root_translation(clip, &nodes, &mut samples, &mut animation)?;
+    let mut animations = Vec::with_capacity(tracks.len());
+    for (name, track) in tracks {
+        let mut animation = Animation::default();
+        samples.begin();
+        rotations(&track.clip, &nodes, &mut samples, &mut animation)?;
+        weights(&track.clip, &json, &nodes, &mut samples, &mut animation)?;
+        root_translation(&track.clip, &nodes, &mut samples, &mut animation)?;
+        animations.push(json!({ "name": name, "channels": animation.channels, "samplers": animation.samplers }));
+    }
     let bin = samples.finish(&mut json);
     let document = json.as_object_mut().ok_or_else(|| Error::new("the GLB file's JSON is not an object"))?;
-    document.insert(
-        "animations".into(),
-        json!([{ "name": "signing", "channels": animation.channels, "samplers": animation.samplers }]),
-    );
+    document.insert("animations".into(), Value::Array(animations));
     document["asset"]["generator"] = json!(concat!("Chereme ", env!("CARGO_PKG_VERSION")));
     lift_skinned_meshes(document);
     Container { json, bin: &bin }.to_bytes()

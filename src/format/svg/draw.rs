@@ -7,8 +7,8 @@ use std::fmt::Write;
 /// The left edge of panels.
 const LEFT: f64 = 62.0;
 /// The left edge of headings.
-const EDGE: f64 = 14.0;
-const RIGHT: f64 = 22.0;
+pub(super) const EDGE: f64 = 14.0;
+pub(super) const RIGHT: f64 = 22.0;
 /// Between columns.
 const GUTTER: f64 = 18.0;
 /// Above each row, for its heading.
@@ -18,11 +18,11 @@ const HEADING_LIFT: f64 = 9.0;
 /// Below the last row, for the ticks of time.
 const FOOT: f64 = 46.0;
 /// An average letter of the text's size 12.
-const LETTER: f64 = 6.7;
+pub(super) const LETTER: f64 = 6.7;
 /// Colours there are; further keys use them again, dashed.
 const COLOURS: usize = 8;
 
-const STYLE: &str = "\
+pub(super) const STYLE: &str = "\
 text{font:12px system-ui,-apple-system,'Segoe UI','DejaVu Sans',sans-serif;fill:#22262b}
 .paper{fill:#ffffff}.title{font-size:18px;font-weight:600}.head{font-weight:600}.soft{fill:#5b6470}.small{font-size:11px}
 .grid{stroke:#e3e7eb;stroke-width:1}.axis{stroke:#8b949e;stroke-width:1;fill:none}.band{fill:#eef2f6}.limit{fill:#2f9e6e;fill-opacity:.13}
@@ -75,7 +75,7 @@ pub(super) fn draw(figure: &Figure) -> String {
         y += 21.0;
         put(&mut body, "soft", EDGE, y, "start", &cut(&figure.subtitle, width - EDGE - RIGHT, LETTER));
     }
-    y = legend(&mut body, figure, width, y);
+    y = legend(&mut body, &figure.keys, width, y);
     if figure.columns.iter().any(|c| !c.title.is_empty()) {
         y += 24.0;
     }
@@ -99,10 +99,10 @@ pub(super) fn draw(figure: &Figure) -> String {
 }
 
 /// What each colour means, in lines; returns where the last line stands.
-fn legend(body: &mut String, figure: &Figure, width: f64, above: f64) -> f64 {
+pub(super) fn legend(body: &mut String, keys: &[String], width: f64, above: f64) -> f64 {
     const SAMPLE: f64 = 24.0;
     let (mut x, mut y) = (EDGE, above);
-    for (i, key) in figure.keys.iter().enumerate() {
+    for (i, key) in keys.iter().enumerate() {
         let label = cut(key, 260.0, LETTER);
         let length = SAMPLE + 7.0 + label.chars().count() as f64 * LETTER + 18.0;
         if i == 0 || x + length > width {
@@ -268,17 +268,17 @@ fn thinned(line: &Line, x: &Scale, y: &Scale) -> Vec<(f64, f64)> {
     thin
 }
 
-fn class(key: usize) -> String {
+pub(super) fn class(key: usize) -> String {
     format!("line c{}{}", key % COLOURS, if key / COLOURS % 2 == 1 { " dashed" } else { "" })
 }
 
-fn put(body: &mut String, class: &str, x: f64, y: f64, anchor: &str, text: &str) {
+pub(super) fn put(body: &mut String, class: &str, x: f64, y: f64, anchor: &str, text: &str) {
     let text = escaped(text);
     let _ = writeln!(body, "<text class=\"{class}\" x=\"{x:.1}\" y=\"{y:.1}\" text-anchor=\"{anchor}\">{text}</text>");
 }
 
 /// As much of a text as fits into so many pixels.
-fn cut(text: &str, width: f64, letter: f64) -> String {
+pub(super) fn cut(text: &str, width: f64, letter: f64) -> String {
     let room = (width / letter).max(1.0) as usize;
     match text.chars().count() > room {
         true => text.chars().take(room - 1).chain(['…']).collect(),
@@ -287,7 +287,7 @@ fn cut(text: &str, width: f64, letter: f64) -> String {
 }
 
 /// Text that may stand in XML: marks escaped, letters that XML forbids replaced.
-fn escaped(text: &str) -> String {
+pub(super) fn escaped(text: &str) -> String {
     let mut safe = String::with_capacity(text.len());
     for letter in text.chars() {
         match letter {
