@@ -23,6 +23,24 @@ use space::Hands;
 const MIRRORED_M: f64 = 0.06;
 
 /// Tells where hands are.
+///
+/// ```
+/// use chereme::corpus::annotate::Placer;
+/// use chereme::motion::pose::LocalPose;
+/// use chereme::phonology::{HandPoint, LocationInventory, Side, label};
+/// use glam::DVec3;
+/// let signer = chereme::avatar::signer().unwrap();
+/// let placer = Placer::new(&signer, &LocationInventory::builtin());
+/// let body = LocalPose::rest(&signer.skeleton).to_model(&signer.skeleton);
+/// let nose = signer.landmarks.body_place("nose", None).unwrap().position(&body);
+/// let (placed, off) = placer.name(Side::Right, (HandPoint::PALM, nose), nose, &body).unwrap();
+/// assert!(off < 1e-9 && label::placement(&placed.placement) == "nose, touch");
+/// assert_eq!(placer.point_of(&placed, Side::Right, &body), Some(nose));
+/// // In the T-pose the hands are far from each other, and at no place of the skin.
+/// assert_eq!(placer.meeting(Side::Right, HandPoint::PALM, &body), None);
+/// let (placed, off) = placer.place(Side::Right, HandPoint::PALM, &body).unwrap();
+/// assert!(off > 0.1 && placed.meeting.is_none());
+/// ```
 #[derive(Debug, Clone)]
 pub struct Placer<'a> {
     signer: &'a Signer,
