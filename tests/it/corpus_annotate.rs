@@ -192,6 +192,20 @@ fn a_hand_goes_from_rest_to_rest() {
 }
 
 #[test]
+fn a_hand_without_an_arm_has_shapes_and_phases_but_no_place() {
+    let text = "sign X\n  configuration  flat then fist-s then V\n  placement      chest right, 24cm away\n  orientation    fingers up, palm out\n  movement       change then change\n";
+    let clip = perform(&sign(text)).track.clip;
+    let hand = Coverage { left: Limb::None, right: Limb::Hand };
+    let found = annotator().annotate(&clip, hand, &Options::default());
+    assert!(found.hand(Side::Left).is_none());
+    let right = found.hand(Side::Right).unwrap();
+    let shapes: Vec<&str> = right.configuration.iter().map(|v| v.value.id.as_str()).collect();
+    let at = |id: &str| shapes.iter().position(|s| *s == id).unwrap_or_else(|| panic!("{id} in {shapes:?}"));
+    assert!(at("flat") < at("fist-s") && at("fist-s") < at("V"));
+    assert!(right.placement.is_empty() && right.phases.iter().any(|p| p.value == Phase::Stroke));
+}
+
+#[test]
 fn noise_of_a_recording_changes_no_shape_and_no_phase() {
     let clip = perform(&named("BOL")).track.clip;
     let mut seed = 7u64;

@@ -10,6 +10,10 @@ use glam::DVec3;
 const LEAST_TURN: f64 = 0.12;
 /// Extremes of a finger's play are at least so far apart at its end, metres.
 const LEAST_PLAY_M: f64 = 0.012;
+/// The end of a finger that plays goes no farther than this, metres.
+const MOST_PLAY_M: f64 = 0.065;
+/// A finger that plays turns back at least so often, seconds.
+const PLAY_S: f64 = 0.28;
 /// A hand stirs whose smaller turn of two is at least this part of the larger one.
 const STIRS: f64 = 0.5;
 
@@ -51,7 +55,7 @@ pub(super) fn wrist(seen: &Seen, from: usize, to: usize) -> Option<Play> {
     let series = [-DVec3::Z * out, -DVec3::Y * out, -DVec3::X]
         .map(|axis| turns.iter().map(|t| t.dot(axis)).collect::<Vec<f64>>());
     let ranges = series.each_ref().map(|s| range(s));
-    let reversals = series.each_ref().map(|s| extremes(s, LEAST_TURN));
+    let reversals = series.each_ref().map(|s| extremes(s, LEAST_TURN).len());
     let main = (0..3).max_by(|a, b| ranges[*a].total_cmp(&ranges[*b]))?;
     // A turn that leads on is no play, however it swings on its way.
     let net = turns.last()?.length();
@@ -82,28 +86,41 @@ fn range(values: &[f64]) -> f64 {
     most - least
 }
 
-/// How many extremes a series has that are at least so far from the one before.
-pub(super) fn extremes(values: &[f64], least: f64) -> usize {
-    let Some(&first) = values.first() else { return 0 };
-    let (mut low, mut high, mut rising, mut count) = (first, first, None, 0);
-    for &value in values {
+/// Where a series is known to have turned back, each time at least so far from the extreme before.
+fn extremes(values: &[f64], least: f64) -> Vec<usize> {
+    let Some(&first) = values.first() else { return Vec::new() };
+    let (mut low, mut high, mut rising, mut turned) = (first, first, None, Vec::new());
+    for (n, &value) in values.iter().enumerate() {
         (low, high) = (low.min(value), high.max(value));
         match rising {
-            None if value - low > least => (rising, high, count) = (Some(true), value, count),
-            None if high - value > least => (rising, low, count) = (Some(false), value, count),
-            Some(true) if high - value > least => (rising, low, count) = (Some(false), value, count + 1),
-            Some(false) if value - low > least => (rising, high, count) = (Some(true), value, count + 1),
+            None if value - low > least => (rising, high) = (Some(true), value),
+            None if high - value > least => (rising, low) = (Some(false), value),
+            Some(true) if high - value > least => {
+                (rising, low) = (Some(false), value);
+                turned.push(n);
+            }
+            Some(false) if value - low > least => {
+                (rising, high) = (Some(true), value);
+                turned.push(n);
+            }
             None | Some(_) => {}
         }
     }
-    count
+    turned
 }
 
 /// The fingers that play between two frames; none where there is no such play.
 pub(super) fn fingers(seen: &Seen, from: usize, to: usize) -> Digits {
     let plays = |digit: &Digit| {
         let height: Vec<f64> = (from..=to).map(|i| seen.signals.forms[i].tip(*digit).y).collect();
-        extremes(&height, LEAST_PLAY_M) >= 3
+        let turned = extremes(&height, LEAST_PLAY_M);
+        let tip = |i: usize| seen.signals.forms[i].tip(*digit);
+        let far = (from..=to).map(|i| tip(i).distance(tip(from))).fold(0.0, f64::max);
+        // Fingers that take on one shape after another go farther and turn back less often than those that play.
+        far < MOST_PLAY_M
+            && turned.len() >= 3
+            && (turned[turned.len() - 1] - turned[0]) as f64 / (turned.len() - 1) as f64
+                <= PLAY_S * seen.signals.fps.get()
     };
     Digits::of(Digit::FINGERS.into_iter().filter(plays))
 }

@@ -15,6 +15,9 @@ const CLOSE_M: f64 = 0.06;
 /// And no farther aside of one of its points, metres.
 const ASIDE_M: f64 = 0.025;
 
+/// Hands whose wrists are farther apart than an arm and a hand are on nothing of each other, metres.
+const FARTHEST_M: f64 = 0.75;
+
 /// Two hands that are on each other.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Meeting {
@@ -53,6 +56,11 @@ impl Placer<'_> {
 
     /// Where the two hands are on each other, if they are; `own` is the point with which the given hand's shape touches.
     pub fn meeting(&self, side: Side, own: HandPoint, model: &ModelPose) -> Option<Meeting> {
+        let wrist = |side: Side| model.position(self.signer.arm(side).hand);
+        // A hand may lie on the other arm, up to its shoulder.
+        if wrist(side).distance(wrist(side.other())) > FARTHEST_M {
+            return None;
+        }
         let others = self.posed(side.other(), model);
         let nearest = |at: DVec3| {
             let far = others.iter().map(|(p, there)| (*p, at.distance(*there)));

@@ -17,18 +17,35 @@ use crate::phonology::{Digit, Digits, Distance, Flank, HandPart, HandPoint, Late
 use glam::DVec3;
 pub use meeting::Meeting;
 use skin::OnSkin;
-use space::Hands;
+use space::{Hands, Spots};
 
 /// Palms are mirrored that are so near to where a mirror at the middle of the body would put them, metres.
 const MIRRORED_M: f64 = 0.06;
 
 /// Tells where hands are.
+///
+/// ```
+/// use chereme::corpus::annotate::Placer;
+/// use chereme::motion::pose::LocalPose;
+/// use chereme::phonology::{HandPoint, LocationInventory, Side, label};
+/// use glam::DVec3;
+/// let signer = chereme::avatar::signer().unwrap();
+/// let placer = Placer::new(&signer, &LocationInventory::builtin());
+/// let body = LocalPose::rest(&signer.skeleton).to_model(&signer.skeleton);
+/// let nose = signer.landmarks.body_place("nose", None).unwrap().position(&body);
+/// let (placed, off) = placer.name(Side::Right, (HandPoint::PALM, nose), nose, &body).unwrap();
+/// assert!(off < 1e-9 && label::placement(&placed.placement) == "nose, touch");
+/// assert_eq!(placer.point_of(&placed, Side::Right, &body), Some(nose));
+/// // In the T-pose the hands are far from each other, and at no place of the skin.
+/// assert_eq!(placer.meeting(Side::Right, HandPoint::PALM, &body), None);
+/// let (placed, off) = placer.place(Side::Right, HandPoint::PALM, &body).unwrap();
+/// assert!(off > 0.1 && placed.meeting.is_none());
+/// ```
 #[derive(Debug, Clone)]
 pub struct Placer<'a> {
     signer: &'a Signer,
     skin: Vec<OnSkin>,
-    /// Heights of the signing space before regions: id, arm lengths above the middle of the shoulders.
-    heights: Vec<(String, f64)>,
+    spots: Spots,
     /// The points of each hand, left then right, that may touch.
     points: [Vec<(HandPoint, ContactPoint)>; 2],
 }
@@ -37,7 +54,9 @@ impl<'a> Placer<'a> {
     /// A teller of the places of an inventory on a body. Places without a landmark are not told.
     pub fn new(signer: &'a Signer, locations: &LocationInventory) -> Placer<'a> {
         let rows = || locations.rows().iter().filter(|row| row.kind == LocationKind::Body);
-        let heights = rows().filter_map(|row| Some((row.id.clone(), row.space?))).collect();
+        // Heights of the signing space before regions, arm lengths above the middle of the shoulders.
+        let heights: Vec<(String, f64)> = rows().filter_map(|row| Some((row.id.clone(), row.space?))).collect();
+        let spots = space::all_spots(&signer.landmarks, &heights);
         let points = [Side::Left, Side::Right].map(|side| {
             let on_hand = |point| signer.landmarks.hand_point(side, point).ok().map(|contact| (point, contact));
             // A face that has no landmark of its own is the part itself.
@@ -49,7 +68,7 @@ impl<'a> Placer<'a> {
             }
             all
         });
-        Placer { signer, skin: skin::places(signer, rows()), heights, points }
+        Placer { signer, skin: skin::places(signer, rows()), spots, points }
     }
 
     /// Where a hand is in a pose, and how far it is from there, metres. `own` is the point with which its shape touches.
@@ -111,7 +130,8 @@ impl<'a> Placer<'a> {
             _ => {
                 let meets = placed.meeting.is_some_and(|met| met.distance == Distance::Touch);
                 let hands = if meets { Hands::Meeting } else { self.hands(model) };
-                self.spots(side, hands, model).into_iter().find(|c| c.placement == *placement).map(|c| c.at)
+                let found = self.spots(side, hands).iter().find(|spot| spot.placement == *placement);
+                found.map(|spot| spot.landmark.position(model))
             }
         }
     }

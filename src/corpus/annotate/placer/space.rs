@@ -2,6 +2,7 @@
 
 use super::super::Placed;
 use super::{Placer, halves, laterals};
+use crate::body::landmarks::{Landmark, Landmarks};
 use crate::body::signing_space::{Before, MEETING_OUT_ARMS, ONE_HAND_ARMS, before_the_body};
 use crate::motion::pose::ModelPose;
 use crate::phonology::{Distance, HandPoint, Lateral, Place, Placement, Side, Sited, Space};
@@ -11,12 +12,16 @@ use glam::DVec3;
 const NO_NAME_M: f64 = 0.03;
 
 /// A place with the point of space that it means for a hand of a side.
+#[derive(Debug, Clone)]
 pub(super) struct Spot {
     pub placement: Placement,
-    pub at: DVec3,
+    pub landmark: Landmark,
     /// Added to its distance, metres.
     behind: f64,
 }
+
+/// The spots for each side, left then right, and for each way that hands are there.
+pub(super) type Spots = [[Vec<Spot>; 3]; 2];
 
 /// How the hands are there, of which no side is said.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -32,87 +37,88 @@ pub(in super::super) enum Hands {
 impl Placer<'_> {
     /// The place of the signing space that a palm is nearest to, and how far off, metres.
     pub(super) fn in_space(&self, side: Side, hands: Hands, palm: DVec3, model: &ModelPose) -> Option<(Placed, f64)> {
-        let far = |c: &Spot| c.at.distance(palm) + c.behind;
-        let nearest = self.spots(side, hands, model).into_iter().min_by(|a, b| far(a).total_cmp(&far(b)))?;
-        let off = nearest.at.distance(palm);
-        Some((Placed::at(nearest.placement, HandPoint::PALM), off))
+        let far = |spot: &Spot| spot.landmark.position(model).distance(palm);
+        let all = self.spots(side, hands).iter().map(|spot| (spot, far(spot)));
+        let (nearest, off) = all.min_by(|a, b| (a.1 + a.0.behind).total_cmp(&(b.1 + b.0.behind)))?;
+        Some((Placed::at(nearest.placement.clone(), HandPoint::PALM), off))
     }
 
     /// All places of the signing space for a hand of a side.
-    pub(super) fn spots(&self, side: Side, hands: Hands, model: &ModelPose) -> Vec<Spot> {
-        let landmarks = &self.signer.landmarks;
-        let mut all = Vec::with_capacity(600);
-        for distance in [Distance::Close, Distance::Unmarked, Distance::Extended] {
-            if let Some(space) = before_the_body(distance) {
-                self.before(side, hands, distance, &space, model, &mut all);
-            }
+    pub(super) fn spots(&self, side: Side, hands: Hands) -> &[Spot] {
+        &self.spots[usize::from(side == Side::Right)][hands as usize]
+    }
+}
+
+/// All places of the signing space before a body with regions at these heights.
+pub(super) fn all_spots(landmarks: &Landmarks, heights: &[(String, f64)]) -> Spots {
+    [Side::Left, Side::Right]
+        .map(|side| [Hands::Alone, Hands::Apart, Hands::Meeting].map(|hands| spots_of(landmarks, heights, side, hands)))
+}
+
+fn spots_of(landmarks: &Landmarks, heights: &[(String, f64)], side: Side, hands: Hands) -> Vec<Spot> {
+    let mut all = Vec::new();
+    for distance in [Distance::Close, Distance::Unmarked, Distance::Extended] {
+        if let Some(space) = before_the_body(distance) {
+            let out = space.out + if hands == Hands::Meeting { MEETING_OUT_ARMS } else { 0.0 };
+            before(heights, side, hands, &space, &mut |across, height, lateral, place| {
+                let landmark = landmarks.before(DVec3::new(across, height, out));
+                let placement = Placement { lateral, distance, ..Placement::at(place) };
+                all.push(Spot { placement, landmark, behind: 0.0 });
+            });
         }
+    }
+    for lateral in laterals() {
+        if let Ok(landmark) = landmarks.body_place("neutral", lateral) {
+            let placement = Placement { lateral, ..Placement::at(Place::Body("neutral".into())) };
+            all.push(Spot { placement, landmark, behind: 0.0 });
+        }
+    }
+    for cell in cells() {
+        let placement = Placement::at(Place::Space(cell));
+        all.push(Spot { placement, landmark: landmarks.space(cell), behind: NO_NAME_M });
+    }
+    all
+}
+
+/// The places before the regions of the body: how far to the left, the height, the side that is said, the place. What no side is
+/// said of depends on the hands.
+fn before(
+    heights: &[(String, f64)],
+    side: Side,
+    hands: Hands,
+    space: &Before,
+    put: &mut dyn FnMut(f64, f64, Option<Lateral>, Place),
+) {
+    let across = |lateral: Option<Lateral>| match lateral {
+        None => match hands {
+            Hands::Alone => ONE_HAND_ARMS * side.sign(),
+            Hands::Apart => space.apart * side.sign(),
+            Hands::Meeting => 0.0,
+        },
+        Some(Lateral { side, beside: false }) => side.sign() * space.at,
+        Some(Lateral { side, beside: true }) => side.sign() * space.beside,
+    };
+    let half = |name: &str, lateral| Box::new(Sited { place: Place::Body(name.to_owned()), lateral });
+    for (name, height) in heights {
         for lateral in laterals() {
-            if let Ok(landmark) = landmarks.body_place("neutral", lateral) {
-                let placement = Placement { lateral, ..Placement::at(Place::Body("neutral".into())) };
-                all.push(Spot { placement, at: landmark.position(model), behind: 0.0 });
-            }
+            put(across(lateral), *height, lateral, Place::Body(name.clone()));
         }
-        for cell in cells() {
-            let placement = Placement::at(Place::Space(cell));
-            all.push(Spot { placement, at: landmarks.space(cell).position(model), behind: NO_NAME_M });
-        }
-        all
-    }
-
-    /// The places before the regions of the body. What no side is said of depends on the hands.
-    fn before(
-        &self,
-        side: Side,
-        hands: Hands,
-        distance: Distance,
-        space: &Before,
-        model: &ModelPose,
-        all: &mut Vec<Spot>,
-    ) {
-        let across = |lateral: Option<Lateral>| match lateral {
-            None => match hands {
-                Hands::Alone => ONE_HAND_ARMS * side.sign(),
-                Hands::Apart => space.apart * side.sign(),
-                Hands::Meeting => 0.0,
-            },
-            Some(Lateral { side, beside: false }) => side.sign() * space.at,
-            Some(Lateral { side, beside: true }) => side.sign() * space.beside,
-        };
-        let out = space.out + if hands == Hands::Meeting { MEETING_OUT_ARMS } else { 0.0 };
-        let mut put = |across: f64, height: f64, lateral: Option<Lateral>, place: Place| {
-            let at = self.signer.landmarks.before(DVec3::new(across, height, out)).position(model);
-            all.push(Spot { placement: Placement { lateral, distance, ..Placement::at(place) }, at, behind: 0.0 });
-        };
-        for (name, height) in &self.heights {
-            let place = || Place::Body(name.clone());
-            for lateral in laterals() {
-                put(across(lateral), *height, lateral, place());
-            }
-            for (a, b) in halves() {
-                let half = |lateral| Box::new(Sited { place: place(), lateral });
-                let middle = (across(a) + across(b)) / 2.0;
-                put(middle, *height, None, Place::Between(half(a), half(b)));
-            }
-        }
-        for ((a, high), (b, low)) in self.neighbours() {
-            for lateral in laterals() {
-                let half = |name: &str| Box::new(Sited { place: Place::Body(name.to_owned()), lateral });
-                put(across(lateral), (high + low) / 2.0, None, Place::Between(half(a), half(b)));
-            }
-            for (left, right) in halves() {
-                let half = |name: &str, lateral| Box::new(Sited { place: Place::Body(name.to_owned()), lateral });
-                let middle = (across(left) + across(right)) / 2.0;
-                put(middle, (high + low) / 2.0, None, Place::Between(half(a, left), half(b, right)));
-            }
+        for (a, b) in halves() {
+            put((across(a) + across(b)) / 2.0, *height, None, Place::Between(half(name, a), half(name, b)));
         }
     }
-
-    /// Regions of the body that lie on each other, with their heights, from the head down; the tops of the shoulders lie beside.
-    fn neighbours(&self) -> impl Iterator<Item = ((&str, f64), (&str, f64))> {
-        let middle: Vec<(&str, f64)> =
-            self.heights.iter().filter(|(name, _)| name != "shouldertop").map(|(n, h)| (n.as_str(), *h)).collect();
-        (1..middle.len()).map(move |i| (middle[i - 1], middle[i]))
+    // Regions lie on each other from the head down; the tops of the shoulders lie beside.
+    let middle: Vec<_> = heights.iter().filter(|(name, _)| name != "shouldertop").collect();
+    for pair in middle.windows(2) {
+        let [(a, high), (b, low)] = [pair[0], pair[1]];
+        let height = (high + low) / 2.0;
+        for lateral in laterals() {
+            put(across(lateral), height, None, Place::Between(half(a, lateral), half(b, lateral)));
+        }
+        for (near, far) in halves() {
+            let middle = (across(near) + across(far)) / 2.0;
+            put(middle, height, None, Place::Between(half(a, near), half(b, far)));
+        }
     }
 }
 
