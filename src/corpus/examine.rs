@@ -84,7 +84,7 @@ pub fn whole(listing: &Listing, names: &Names) -> Vec<Finding> {
     findings
 }
 
-fn without<'l>(listing: &'l Listing, of: fn(&Take) -> &Option<String>) -> Vec<&'l Take> {
+fn without(listing: &Listing, of: fn(&Take) -> &Option<String>) -> Vec<&Take> {
     listing.takes.iter().filter(|take| of(take).is_none()).collect()
 }
 

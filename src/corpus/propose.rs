@@ -70,6 +70,18 @@ pub struct Proposal {
 /// Files of equal joints, unit and first frame are one skeleton. A table whose column names motion files lists its takes;
 /// the other motions are recordings, with the annotations of the same name beside them. A gloss is read from names such as
 /// `eight_0_right.bvh`: gloss, number of the take, hand.
+///
+/// ```
+/// use chereme::corpus::propose::{propose, seen};
+/// let text = "HIERARCHY\nROOT Hips {\nOFFSET 0 0 0\nCHANNELS 1 Yrotation\nJOINT Head {\nOFFSET 0 160 0\nCHANNELS 1 Yrotation\n\
+///             End Site {\nOFFSET 0 10 0\n}\n}\n}\nMOTION\nFrames: 1\nFrame Time: 0.02\n1 2\n";
+/// let motion = seen("eight_0.bvh", text.as_bytes()).unwrap();
+/// let proposal = propose("Numbers", &[motion], &["eight_0.eaf".to_owned()], &[]);
+/// let recording = &proposal.manifest.recordings[0];
+/// assert_eq!(recording.gloss.as_ref().unwrap().value, "eight");
+/// assert_eq!(recording.annotations[0].value, "eight_0.eaf");
+/// assert_eq!(proposal.manifest.skeletons[0].unit.unwrap().value.name(), Some("cm"));
+/// ```
 pub fn propose(title: &str, motions: &[Seen], annotations: &[String], tables: &[HeadedTable]) -> Proposal {
     let mut notes = Vec::new();
     let rigs = rigs(motions, &mut notes);
@@ -187,9 +199,10 @@ fn told(name: &str, first: &Seen, axes: Axes, files: usize) -> String {
         [one] => format!("; {one} is none of ours"),
         [one, ..] => format!("; {} joints are none of ours, such as {one}", known.unknown.len()),
     };
+    let files = if files == 1 { "1 file".to_owned() } else { format!("{files} files") };
     let convention = if known.joints.is_empty() { "unknown" } else { known.convention };
     format!(
-        "skeleton {name}, {files} files such as {}: {} of {} joints known, names of {convention}{unknown}; unit {unit}; \
+        "skeleton {name}, {files} such as {}: {} of {} joints known, names of {convention}{unknown}; unit {unit}; \
          up {}, front {}{skipped}",
         first.path,
         known.joints.len(),

@@ -45,17 +45,38 @@ pub struct Window {
 }
 
 /// Our name of an annotation's tier: the first rule that fits, else its own name where it is one of ours.
+///
+/// ```
+/// use chereme::corpus::{manifest, tiers::our_name};
+/// let manifest = manifest::read("version: 1\ntiers: {'Gl*': RH Gloss}\n").unwrap();
+/// assert_eq!(our_name(&manifest, "gloss").as_deref(), Some("RH Gloss"));
+/// assert_eq!(our_name(&manifest, "lh phase").as_deref(), Some("LH Phase"));
+/// assert_eq!(our_name(&manifest, "Translation"), None);
+/// ```
 pub fn our_name(manifest: &Manifest, theirs: &str) -> Option<String> {
     let rule = manifest.tiers.iter().find(|rule| rule.fits(theirs)).map(|rule| rule.ours.value.clone());
     rule.or_else(|| our_tiers().find(|ours| ours.eq_ignore_ascii_case(theirs.trim())))
 }
 
 /// The component that a tier of ours is for.
+///
+/// ```
+/// use chereme::corpus::{segment::Component, tiers::component_of};
+/// assert_eq!(component_of("LH Placement"), Some(Component::Placement));
+/// assert_eq!(component_of("LH Gloss"), None);
+/// ```
 pub fn component_of(tier: &str) -> Option<Component> {
     Component::ALL.into_iter().find(|component| tier.ends_with(component.title()))
 }
 
-/// Our label of a value.
+/// Our label of a value: that of the first rule for it, else its own.
+///
+/// ```
+/// use chereme::corpus::{manifest, tiers::our_label};
+/// let manifest = manifest::read("version: 1\nvalues: {Configuration: {flat: flat-B}}\n").unwrap();
+/// assert_eq!(our_label(&manifest, "RH Configuration", "Flat"), "flat-B");
+/// assert_eq!(our_label(&manifest, "RH Placement", "flat"), "flat");
+/// ```
 pub fn our_label<'a>(manifest: &'a Manifest, tier: &str, theirs: &'a str) -> &'a str {
     let component = component_of(tier);
     let fits = |theirs_of: &str| theirs_of.to_lowercase() == theirs.trim().to_lowercase();
