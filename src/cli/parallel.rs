@@ -56,8 +56,6 @@ impl Progress {
 
     /// A bar of so many items of a name.
     pub(super) fn of(items: usize, what: &str, loudness: Loudness) -> Progress {
-        Progress::named(items, "signs", loudness)
-    pub(super) fn named(items: usize, what: &str, loudness: Loudness) -> Progress {
         let bar = match loudness {
             Loudness::Quiet => ProgressBar::hidden(),
             Loudness::Told => ProgressBar::with_draw_target(Some(items as u64), ProgressDrawTarget::stderr()),

@@ -20,5 +20,4 @@ mod write;
 
 pub use read::{GlbJoint, GlbModel, GlbMorph, GlbPart, morph_names};
 pub use rig::Rig;
-pub use write::write;
 pub use write::{write, write_all};

@@ -7,7 +7,7 @@ use chereme::avatar;
 use chereme::body::signer::Signer;
 use chereme::corpus::cache::{Cache, Entry, Frames, Head, SourceFile, Writer, disk};
 use chereme::corpus::files::{Files, Stamp};
-use chereme::corpus::library::{Library, Tally};
+use chereme::corpus::library::{Library, Tally, vocabulary_of};
 use chereme::corpus::manifest::listing;
 use chereme::diagnostics::{Error, Source};
 use chereme::motion::clip::{Clip, Frame};
@@ -154,7 +154,7 @@ fn corpus(tiers: &str, skip: usize) -> String {
 
 fn open(text: &str, files: &Memory, folder: &Path) -> (Library, Tally) {
     let listing = listing(Source::new("corpus.yaml", text), Path::new("/c"), files).unwrap();
-    Library::open(listing, &SIGNER, files, folder, |_| b"index".to_vec()).unwrap()
+    Library::open(listing, &SIGNER, files, folder).unwrap()
 }
 
 fn three() -> Memory {
@@ -176,7 +176,9 @@ fn only_what_changed_is_made() {
     assert_eq!(made(&files, &corpus("", 0)), (3, 0, 0, 3));
     assert_eq!(made(&files, &corpus("", 0)), (0, 3, 0, 3));
     let (library, _) = open(&corpus("", 0), &files, &folder.0);
-    assert_eq!((library.take(0).name.as_str(), library.find("b"), library.index()), ("a", Some(1), &b"index"[..]));
+    assert_eq!((library.take(0).name.as_str(), library.find("b")), ("a", Some(1)));
+    let vocabulary = vocabulary_of(library.listing(), &SIGNER).unwrap();
+    assert_eq!(library.index(&vocabulary).recordings().len(), library.len());
     // Frames whose instants lie within the span: the sixth to the twelfth at 60 a second.
     assert_eq!((library.entry(1).frame_count(), library.entry(1).begins), (7, Seconds(0.1)));
     let gloss = &library.tiers(0)[0];

@@ -63,7 +63,7 @@ pub(super) fn failed(error: Error) -> Failure {
 }
 
 /// Opens a corpus; what its cache lacks is made. Its faulty recordings are left out, and counted in the tally.
-pub(super) fn open(named: &Named, opening: &Opening, loudness: Loudness) -> Result<(Library, Tally), Failure> {
+pub(in crate::cli) fn open(named: &Named, opening: &Opening, loudness: Loudness) -> Result<(Library, Tally), Failure> {
     let (listing, folder) = listing_of(named)?;
     let (cache_at, signer) = (cache_folder(opening, &folder), signer()?);
     let old = match fresh(&listing, &signer, &Disk, &cache_at) {

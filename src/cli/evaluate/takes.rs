@@ -36,7 +36,7 @@ pub(super) fn each<R: Send>(
 ) -> Result<(), Failure> {
     let files = expand(paths, &["bvh", "tsv"])?;
     let folders = paths.iter().any(|p| p.is_dir());
-    let progress = Progress::named(files.len(), "takes", if quiet { Loudness::Quiet } else { Loudness::Told });
+    let progress = Progress::of(files.len(), "takes", if quiet { Loudness::Quiet } else { Loudness::Told });
     let (mut read, mut left_out) = (0, 0);
     let one = |path: PathBuf| match take(&path) {
         Ok(take) => Ok(work(&take)),

@@ -7,13 +7,13 @@ use super::super::parallel::{self, Loudness, Progress};
 use super::super::template::{self, Replacing, Template};
 use super::super::{Failure, Sources, files, terminal};
 use super::Render;
+use super::captured::Stock;
 use super::input::{self, Asked, Request};
 use super::output::Format;
 use super::rig::Theirs;
-use crate::avatar;
 use crate::body::signer::Signer;
 use crate::notation::formats::Words;
-use crate::synthesis::{Grammar, Options, synthesize_plan};
+use crate::synthesis::{Grammar, Options};
 use std::collections::BTreeSet;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::{MAIN_SEPARATOR, Path, PathBuf};
@@ -26,6 +26,7 @@ struct Stage<'a> {
     signer: &'a Signer,
     options: &'a Options,
     rig: Option<&'a Theirs>,
+    captured: &'a Stock<'a>,
 }
 
 /// A sign and its files.
@@ -50,17 +51,18 @@ pub(super) fn run(
     words: &Words,
     options: &Options,
     rig: Option<&Theirs>,
+    captured: &Stock,
+    signer: &Signer,
 ) -> Result<(), Failure> {
     let began = Instant::now();
     let targets = targets(command)?;
-    let Request { asked, faulty, refused } = input::request(command, sources, grammar, words)?;
+    let Request { asked, faulty, refused } = input::request(command, sources, grammar, words, &captured.glosses)?;
     if asked.is_empty() && !faulty {
         return Err(Failure::Faults(Some("there is no sign to render".into())));
     }
     let jobs = jobs(command, &targets, asked)?;
     let pool = parallel::pool(command.jobs)?;
-    let signer = avatar::signer().map_err(|e| Failure::Faults(Some(e.to_string())))?;
-    let stage = Stage { grammar, words, signer: &signer, options, rig };
+    let stage = Stage { grammar, words, signer, options, rig, captured };
     let loudness = if command.quiet { Loudness::Quiet } else { Loudness::Told };
     let progress = Progress::new(jobs.len(), loudness);
     let (mut rendered, mut failed) = (0, refused);
@@ -139,7 +141,7 @@ impl Stage<'_> {
     }
 
     fn try_write(&self, job: &Job) -> Result<Vec<String>, String> {
-        let performance = synthesize_plan(&job.asked.plan, self.grammar, self.signer, self.options);
+        let performance = self.captured.perform(&job.asked.plan, self.grammar, self.signer, self.options);
         let performance = performance.map_err(|e| e.to_string())?;
         for (path, format) in &job.files {
             let bytes = format.bytes(&job.asked, &performance.track, &self.words.vocabulary, self.rig);

@@ -5,10 +5,11 @@ use super::super::template::Origin;
 use super::super::{Failure, Sources, gloss};
 use super::Render;
 use crate::format::html::Page;
+use crate::notation::Lexicon;
 use crate::notation::formats::Words;
 use crate::phonology::grammar::fold;
 use crate::phonology::operator::for_left_hander;
-use crate::score::gloss::{Handedness, Reading, Settings};
+use crate::score::gloss::{CapturedGlosses, Handedness, Reading, Settings};
 use crate::score::plan::Plan;
 use crate::synthesis::Grammar;
 
@@ -43,6 +44,7 @@ pub(super) fn request(
     sources: &Sources,
     grammar: &Grammar,
     words: &Words,
+    captured: &CapturedGlosses,
 ) -> Result<Request, Failure> {
     let mut signs = Vec::new();
     let mut lines = Vec::new();
@@ -50,8 +52,14 @@ pub(super) fn request(
     let mut finder = Finder::new(sources, words, render.language.as_deref());
     let handedness = if render.left_handed { Handedness::Left } else { Handedness::Right };
     for what in &render.what {
-        if let Some(known) = finder.named(what)?.filter(|known| gloss::is_line(what, known)) {
-            let settings = Settings { language: render.language.clone(), handedness, ..Settings::default() };
+        // A gloss that was captured is a line of one gloss.
+        let is_line = |known: &Lexicon| {
+            let unknown = || known.of_name(what).next().is_none();
+            gloss::is_line(what, known) || captured.has(what) && (captured.preferred || unknown())
+        };
+        if let Some(known) = finder.named(what)?.filter(|known| is_line(known)) {
+            let (language, captured) = (render.language.clone(), captured.clone());
+            let settings = Settings { language, handedness, captured, ..Settings::default() };
             let reading = gloss::read_line(what, known, grammar, &words.vocabulary, &settings);
             if reading.has_faults() {
                 faulty = true;

@@ -1,16 +1,21 @@
 //! `chereme render`: signs to motion, as pages or files.
 
+mod captured;
 mod each;
 mod input;
 mod output;
 mod rig;
 
+use super::corpus::open::open;
+use super::corpus::{Named, Opening};
+use super::parallel::Loudness;
 use super::{Failure, Sources, terminal, world};
 use crate::avatar;
 use crate::body::signer::Signer;
+use crate::corpus::library::Library;
 use crate::diagnostics::Error;
 use crate::motion::easing::Easing;
-use crate::synthesis::{Options, synthesize_plan};
+use crate::synthesis::Options;
 use crate::time::Fps;
 use input::Request;
 use output::{Format, Outputs};
@@ -19,7 +24,7 @@ use std::path::PathBuf;
 
 #[derive(Debug, clap::Args)]
 #[command(
-    after_help = "Examples:\n  chereme render lexicon/lsf/bol.sign -o bol.html      a page: the avatar signs, open it in a browser\n  chereme render BOL -o bol.html -o bol.glb -o bol.eaf  several outputs at once\n  chereme render lexicon/lsf -o pages/                  one page a sign, into a folder\n  chereme render lexicon --each -o 'out/{language}/{stem}.bvh' --jobs 4\n                                                        one file a sign, on four cores\n  chereme render lexicon/lsf/alphabet.sign --sign A,B -o letters/ --format html,glb\n  chereme render \"BONJOUR, CHIEN BOL@left fs(LSF)\" -o line.html     a gloss line, as one motion\n  chereme render BOL --speed 0.5 --easing minimum-jerk -o slow.html"
+    after_help = "Examples:\n  chereme render lexicon/lsf/bol.sign -o bol.html      a page: the avatar signs, open it in a browser\n  chereme render BOL -o bol.html -o bol.glb -o bol.eaf  several outputs at once\n  chereme render lexicon/lsf -o pages/                  one page a sign, into a folder\n  chereme render lexicon --each -o 'out/{language}/{stem}.bvh' --jobs 4\n                                                        one file a sign, on four cores\n  chereme render lexicon/lsf/alphabet.sign --sign A,B -o letters/ --format html,glb\n  chereme render \"BONJOUR, CHIEN BOL@left fs(LSF)\" -o line.html     a gloss line, as one motion\n  chereme render \"HELLO@left take(father_3)[inverted]\" --corpus takes -o line.html\n                                                        captured signs, edited as motion\n  chereme render BOL --rig theirs.bvh -o bol.bvh        for somebody else's rig\n  chereme render BOL --speed 0.5 --easing minimum-jerk -o slow.html"
 )]
 pub(super) struct Render {
     /// Files or folders of signs (.sign, SiGML, HamNoSys), names of signs, gloss lines, strings of HamNoSys, or - for standard input
@@ -66,6 +71,15 @@ pub(super) struct Render {
     /// Which of the possible performances, with --variation
     #[arg(long, value_name = "N", default_value_t = 0)]
     seed: u64,
+    /// Take signs from this corpus of captured motion (a folder with a corpus.yaml); `take(NAME)` in a gloss line is exactly that take
+    #[arg(long, value_name = "DIR")]
+    corpus: Option<PathBuf>,
+    /// What is taken where the corpus and the lexicon both have a sign, or a hand configuration
+    #[arg(long, value_name = "SOURCE", default_value = "corpus")]
+    prefer: Prefer,
+    /// Where the corpus's cache is, instead of .chereme beside its corpus.yaml
+    #[arg(long, value_name = "DIR")]
+    corpus_cache: Option<PathBuf>,
     /// Write .bvh or .glb files for this rig instead of the avatar: a BVH file, or a GLB file with a skin; its joints are found
     /// by their names
     #[arg(long, value_name = "FILE")]
@@ -78,6 +92,15 @@ pub(super) struct Render {
     quiet: bool,
 }
 
+/// What is taken where captured motion and a description are both there.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
+pub(super) enum Prefer {
+    /// Captured motion
+    Corpus,
+    /// The description
+    Procedure,
+}
+
 impl Render {
     pub(super) fn run(&self, sources: &Sources) -> Result<(), Failure> {
         let options = self.options()?;
@@ -85,19 +108,22 @@ impl Render {
         let words = world::words(&grammar);
         let failed = |e: Error| Failure::Faults(Some(e.to_string()));
         let rig = self.rig(avatar::signer().map_err(failed)?)?;
+        let mut signer = avatar::signer().map_err(failed)?;
+        let library = self.library()?;
         if self.each || self.output.iter().any(|o| o.contains('{')) {
-            return each::run(self, sources, &grammar, &words, &options, rig.as_ref());
+            let captured = captured::Stock::of(library.as_ref(), self.prefer, &mut signer)?;
+            return each::run(self, sources, &grammar, &words, &options, rig.as_ref(), &captured, &signer);
         }
         let outputs = Outputs::of(self, &words.vocabulary, rig.as_ref())?;
-        let Request { asked, mut faulty, .. } = input::request(self, sources, &grammar, &words)?;
+        let captured = captured::Stock::of(library.as_ref(), self.prefer, &mut signer)?;
+        let Request { asked, mut faulty, .. } = input::request(self, sources, &grammar, &words, &captured.glosses)?;
         if asked.is_empty() && !faulty {
             return Err(Failure::Faults(Some("there is no sign to render".into())));
         }
         outputs.check(&asked)?;
-        let signer = avatar::signer().map_err(failed)?;
         for asked in &asked {
             // What one sign cannot do does not keep the others from being written.
-            let performance = match synthesize_plan(&asked.plan, &grammar, &signer, &options) {
+            let performance = match captured.perform(&asked.plan, &grammar, &signer, &options) {
                 Ok(performance) => performance,
                 Err(error) => {
                     terminal::err(&format!("chereme: {error}\n"));
@@ -117,6 +143,19 @@ impl Render {
             }
         }
         if faulty { Err(Failure::Faults(None)) } else { Ok(()) }
+    }
+
+    /// The corpus that signs are taken from.
+    fn library(&self) -> Result<Option<Library>, Failure> {
+        let Some(path) = &self.corpus else { return Ok(None) };
+        let loudness = if self.quiet { Loudness::Quiet } else { Loudness::Told };
+        let opening = Opening { cache: self.corpus_cache.clone(), jobs: self.jobs };
+        let (library, tally) = open(&Named { path: path.clone() }, &opening, loudness)?;
+        if tally.failed > 0 {
+            let left = terminal::count(tally.failed, "recording");
+            terminal::err(&format!("{left} of the corpus left out: `chereme corpus check` tells why\n"));
+        }
+        Ok(Some(library))
     }
 
     /// The rig that motion is written for, where it is not the avatar's.

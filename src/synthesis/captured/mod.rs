@@ -10,11 +10,13 @@
 
 mod channel;
 mod join;
+mod library;
 mod operate;
 mod pace;
 
 pub use channel::with_channel;
 pub use join::least_way;
+pub use library::Captures;
 pub use pace::Pace;
 
 use super::{Grammar, Options, Performance, synthesize_plan};
