@@ -10,6 +10,7 @@ mod phonology_handshape;
 mod phonology_handshape_changes;
 
 mod cli;
+mod cli_captured;
 mod cli_check;
 mod cli_convert;
 mod cli_corpus;

@@ -2,6 +2,7 @@
 
 use super::{Pace, Take, Takes};
 use crate::body::channel::Channels;
+use crate::body::measure::HandForm;
 use crate::body::retarget::Coverage;
 use crate::body::signer::Signer;
 use crate::corpus::index::Index;
@@ -15,7 +16,7 @@ use crate::motion::pose::LocalPose;
 use crate::motion::rotation::angle_between;
 use crate::motion::skeleton::JointId;
 use crate::phonology::grammar::fold;
-use crate::phonology::handshape::HandAngles;
+use crate::phonology::handshape::{HandAngles, HandshapeInventory};
 use crate::phonology::{Configuration, Side, label};
 use crate::tier::Tier;
 use crate::time::{FrameIndex, Seconds};
@@ -27,7 +28,10 @@ const PACED: usize = 64;
 /// So much of a longer recording is taken before and after a sign, seconds, so that phases are known.
 const AROUND_S: f64 = 0.5;
 /// So many hits are looked through for the stillest hand.
-const LOOKED_THROUGH: usize = 12;
+const LOOKED_THROUGH: usize = 48;
+/// A captured hand that is farther from the inventory's than this, metres (root mean square over the joints), is not taken for it: what a
+/// tracker took for a handshape may be none.
+const LIKE_M: f64 = 0.018;
 
 /// A corpus as a source of takes.
 pub struct Captures<'l> {
@@ -36,6 +40,7 @@ pub struct Captures<'l> {
     vocabulary: Vocabulary,
     index: Index,
     pace: Pace,
+    handshapes: HandshapeInventory,
 }
 
 impl<'l> Captures<'l> {
@@ -52,7 +57,14 @@ impl<'l> Captures<'l> {
             paced.push((library.clip(at)?, joints(library.coverage(at), signer)));
         }
         let pace = Pace::of(paced.iter().map(|(clip, joints)| (clip, &joints[..])));
-        Ok(Captures { library, signer: signer.clone(), vocabulary, index, pace })
+        Ok(Captures {
+            library,
+            signer: signer.clone(),
+            vocabulary,
+            index,
+            pace,
+            handshapes: HandshapeInventory::builtin(),
+        })
     }
 
     /// The glosses that were captured.
@@ -145,6 +157,7 @@ impl Takes for Captures<'_> {
     fn configuration(&self, configuration: &Configuration) -> Option<(HandAngles, String)> {
         let name = label::configuration(configuration);
         let asked = fold(&name);
+        let wanted = HandForm::of_angles(&self.signer, &self.handshapes.angles(configuration, None).ok()?);
         let mut best: Option<(f64, HandAngles, String)> = None;
         for segment in self.find(&format!("configuration={}", quoted(&name)), LOOKED_THROUGH) {
             let side = segment.side?;
@@ -152,8 +165,9 @@ impl Takes for Captures<'_> {
             let own = segment.of(Component::Configuration).iter().filter(|value| fold(&value.label) == asked);
             for value in own {
                 let Some((speed, frame)) = self.stillest(&clip, side, value.start, value.end) else { continue };
-                if best.as_ref().is_none_or(|(least, ..)| speed < *least) {
-                    let angles = self.signer.hand(side).angles_of(&clip.frames()[frame].pose);
+                let angles = self.signer.hand(side).angles_of(&clip.frames()[frame].pose);
+                let alike = HandForm::of_angles(&self.signer, &angles).distance(&wanted) < LIKE_M;
+                if alike && best.as_ref().is_none_or(|(least, ..)| speed < *least) {
                     let at = clip.fps().time_of(FrameIndex(frame));
                     let from = &self.library.take(segment.recording).name;
                     best = Some((speed, angles, format!("corpus: {from} at {at}")));
