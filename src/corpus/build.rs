@@ -5,7 +5,7 @@
 
 use super::annotate::{self, Annotator, Limb};
 use super::cache::disk::OnDisk;
-use super::cache::{Cache, Entry, Frames, Head, SourceFile, hash};
+use super::cache::{Cache, Entry, Frames, Head, Off, SourceFile, hash};
 use super::files::{Files, Finding, Stamp};
 use super::manifest::{Listing, Rig, Take, our_tiers};
 use super::motion::{self, captured};
@@ -260,6 +260,8 @@ impl<'a> Builder<'a> {
         let entry = &mut made.entry;
         entry.joints = u32::try_from(captured.clip.skeleton().len()).unwrap_or(u32::MAX);
         (entry.begins, entry.covers, entry.warnings) = (captured.begins, done.covers, warnings);
+        let (tip_m, wrist_m) = (done.report.tips_m, done.report.wrists_m);
+        entry.off = Off { direction: done.report.worst(), tip_m, wrist_m };
         entry.fps = done.clip.fps();
         Ok(())
     }

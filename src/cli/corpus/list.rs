@@ -29,6 +29,10 @@ struct Row<'l> {
     frames_per_second: f64,
     joints: u32,
     covers: Vec<&'static str>,
+    /// How far the motion on our rig is off the file's, at most: bones, degrees; fingertips and wrists, millimetres.
+    off_degrees: f64,
+    off_tips_mm: f64,
+    off_wrists_mm: f64,
     tiers: Vec<&'l str>,
     signer: Option<&'l str>,
     licence: Option<&'l str>,
@@ -61,6 +65,9 @@ fn row(library: &Library, at: usize) -> Row<'_> {
         frames_per_second: (entry.fps.get() * 1e3).round() / 1e3,
         joints: entry.joints,
         covers: covers(entry.covers),
+        off_degrees: (entry.off.direction.to_degrees() * 1e3).round() / 1e3,
+        off_tips_mm: (entry.off.tip_m * 1e4).round() / 10.0,
+        off_wrists_mm: (entry.off.wrist_m * 1e4).round() / 10.0,
         tiers: entry.tiers.iter().map(|tier| tier.name.as_str()).collect(),
         signer: take.signer.as_deref(),
         licence: take.licence.as_deref(),
@@ -81,8 +88,15 @@ fn covers(coverage: Coverage) -> Vec<&'static str> {
     parts.iter().filter(|(moves, _)| *moves).map(|(_, part)| *part).collect()
 }
 
+/// How far the motion is off, where it is: bones look elsewhere, tips and wrists stand elsewhere.
+fn off(row: &Row) -> String {
+    let parts = [(row.off_degrees, "°"), (row.off_tips_mm, " mm tips"), (row.off_wrists_mm, " mm wrists")];
+    let told = parts.iter().filter(|(value, _)| *value >= 0.1).map(|(value, unit)| format!("{value:.1}{unit}"));
+    told.collect::<Vec<_>>().join(", ")
+}
+
 fn table(rows: &[Row<'_>]) -> String {
-    let headings = ["name", "gloss", "seconds", "fps", "joints", "covers", "licence"].map(str::to_owned);
+    let headings = ["name", "gloss", "seconds", "fps", "joints", "off", "covers", "licence"].map(str::to_owned);
     let cells = |row: &Row| {
         [
             row.name.to_owned(),
@@ -90,14 +104,15 @@ fn table(rows: &[Row<'_>]) -> String {
             format!("{:.2}", row.seconds),
             format!("{:.2}", row.frames_per_second),
             row.joints.to_string(),
+            off(row),
             row.covers.join(", "),
             row.licence.unwrap_or_default().to_owned(),
         ]
     };
-    let rows: Vec<[String; 7]> = [headings].into_iter().chain(rows.iter().map(cells)).collect();
+    let rows: Vec<[String; 8]> = [headings].into_iter().chain(rows.iter().map(cells)).collect();
     let widths: Vec<usize> =
-        (0..7).map(|column| rows.iter().map(|row| row[column].chars().count()).max().unwrap_or(0)).collect();
-    let line = |row: &[String; 7]| {
+        (0..8).map(|column| rows.iter().map(|row| row[column].chars().count()).max().unwrap_or(0)).collect();
+    let line = |row: &[String; 8]| {
         let cells: Vec<String> = row.iter().zip(&widths).map(|(cell, width)| format!("{cell:width$}")).collect();
         cells.join("  ").trim_end().to_owned() + "\n"
     };

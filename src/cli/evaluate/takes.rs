@@ -4,8 +4,9 @@ use super::super::parallel::{Loudness, Progress, in_order, pool};
 use super::super::{Failure, files, terminal};
 use super::markers;
 use super::output::expand;
+use crate::diagnostics::{Diagnostic, Source};
 use crate::evaluation::kinematics::Movement;
-use crate::format::bvh;
+use crate::format::{self, bvh};
 use crate::motion::clip::Clip;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -68,6 +69,13 @@ pub(super) fn each<R: Send>(
     }
 }
 
+/// The first fault of a file in one line.
+fn located(source: &Source, faults: &[Diagnostic], otherwise: &str) -> String {
+    let first = faults.first();
+    let (line, column) = source.line_column(first.map_or(0, |f| f.span.start));
+    format!("{}:{line}:{column}: {}", source.name, first.map_or(otherwise, |f| f.message.as_str()))
+}
+
 fn take(path: &Path) -> Read {
     let told = |e: Failure| match e {
         Failure::Faults(Some(why)) | Failure::Usage(why) => why,
@@ -79,15 +87,18 @@ fn take(path: &Path) -> Read {
     };
     let name = path.file_stem().map_or_else(|| "-".into(), |stem| stem.to_string_lossy().into_owned());
     if path.extension().is_some_and(|e| e.eq_ignore_ascii_case("tsv")) {
-        let text = String::from_utf8_lossy(&bytes);
-        return markers::arm(&name, &text).map(Take::Markers).map_err(|e| format!("{}: {e}", path.display()));
+        let reading = format::markers::read(&bytes).map_err(|faults| {
+            located(
+                &format::text::source_of_bytes(&path.to_string_lossy(), &bytes),
+                &faults,
+                "it is no table of markers",
+            )
+        })?;
+        let arm = markers::arm(&name, &reading.markers);
+        return arm.map(Take::Markers).map_err(|e| format!("{}: {e}", path.display()));
     }
     let reading = bvh::read(&bytes).map_err(|faults| {
-        let source = bvh::source_of_bytes(&path.to_string_lossy(), &bytes);
-        let first = faults.first();
-        let (line, column) = source.line_column(first.map_or(0, |f| f.span.start));
-        let what = first.map_or("it is no BVH file", |f| f.message.as_str());
-        format!("{}:{line}:{column}: {what}", path.display())
+        located(&bvh::source_of_bytes(&path.to_string_lossy(), &bytes), &faults, "it is no BVH file")
     })?;
     let proposed = bvh::propose_unit(&reading.bvh).map(|unit| unit.metres_per_unit);
     let metres_per_unit = proposed.or_else(|| unit_of_hand(&reading.bvh)).ok_or_else(|| {

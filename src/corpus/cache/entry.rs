@@ -40,6 +40,17 @@ pub struct SourceFile {
     pub hash: u64,
 }
 
+/// How far a motion on our rig is off its source, at most.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Off {
+    /// The direction of any bone, radians.
+    pub direction: f64,
+    /// A fingertip from where it should be, metres; 0 where places are not asked for.
+    pub tip_m: f64,
+    /// A wrist from where it should be, metres: of an arm with `contacts`, of a hand without an arm always.
+    pub wrist_m: f64,
+}
+
 /// A recording in a cache.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Entry {
@@ -61,6 +72,8 @@ pub struct Entry {
     pub joints: u32,
     /// What of the body it moves.
     pub covers: Coverage,
+    /// How far its motion on our rig is off the file's.
+    pub off: Off,
     /// What is odd about it, each a sentence.
     pub warnings: Vec<String>,
     /// Its tiers, from the motion's start.
@@ -84,6 +97,7 @@ impl Entry {
             begins: Seconds(0.0),
             joints: 0,
             covers: Coverage::default(),
+            off: Off::default(),
             warnings: Vec::new(),
             tiers: Vec::new(),
             columns: Columns::default(),
@@ -119,6 +133,7 @@ impl Entry {
         let Coverage { body, arms, hands } = self.covers;
         let flags = [body, arms[0], arms[1], hands[0], hands[1]];
         sink.u8((0..).zip(flags).map(|(at, flag)| u8::from(flag) << at).sum());
+        [self.off.direction, self.off.tip_m, self.off.wrist_m].into_iter().for_each(|number| sink.f64(number));
         sink.list(&self.warnings, |sink, text| sink.text(text));
         sink.list(&self.tiers, write_tier);
         self.columns.write(sink);
@@ -139,6 +154,11 @@ impl Entry {
         let flags = tap.u8()?;
         let flag = |at: u8| flags & (1 << at) != 0;
         let covers = Coverage { body: flag(0), arms: [flag(1), flag(2)], hands: [flag(3), flag(4)] };
+        let mut number = || {
+            let number = Some(tap.f64()?).filter(|number| number.is_finite());
+            number.ok_or_else(|| Error::new("it has an error that is no number"))
+        };
+        let off = Off { direction: number()?, tip_m: number()?, wrist_m: number()? };
         let warnings = tap.list(Tap::text)?;
         let tiers = tap.list(read_tier)?;
         let columns = Columns::read(tap)?;
@@ -155,6 +175,7 @@ impl Entry {
             begins,
             joints,
             covers,
+            off,
             warnings,
             tiers,
             columns,

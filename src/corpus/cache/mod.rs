@@ -25,7 +25,7 @@ mod hash;
 mod map;
 mod write;
 
-pub use entry::{Entry, Head, SourceFile};
+pub use entry::{Entry, Head, Off, SourceFile};
 pub use hash::hash;
 pub use write::{Frames, Writer};
 
@@ -38,7 +38,7 @@ use std::sync::Arc;
 
 const HEAD: &[u8; 8] = b"CHERCRPS";
 const TAIL: &[u8; 8] = b"SPRCREHC";
-const FORM: u32 = 1;
+const FORM: u32 = 2;
 const HEAD_BYTES: usize = 16;
 const TAIL_BYTES: usize = 64;
 
