@@ -104,6 +104,6 @@ fn main() -> Result<(), Error> {
     let _ = fs::remove_dir_all(&cache);
     let (text, bvh) = made?;
     fs::write(out, bvh).map_err(|e| Error::new(e.to_string()).context(out))?;
-    print!("{text}{out} is written\n");
+    println!("{text}{out} is written");
     Ok(())
 }
