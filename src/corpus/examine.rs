@@ -279,6 +279,8 @@ fn odd_tiers(
         .iter()
         .map(|tier| tier.name.as_str())
         .filter(|name| our_name(&listing.manifest, name).is_none())
+        // Beside a tier of ours, where its values came from.
+        .filter(|name| name.strip_suffix(" Source").is_none_or(|of| our_name(&listing.manifest, of).is_none()))
         .collect();
     if !unmapped.is_empty() {
         let told = warning(format!("tiers that are none of ours: {}", unmapped.join(", ")));

@@ -115,7 +115,7 @@ pub fn propose(title: &str, motions: &[Seen], annotations: &[String], tables: &[
     }
     if let Some(none) = names.get(&false) {
         notes
-            .push(format!("{none} recordings have no gloss: annotate them, or write `gloss` where a take is one sign"));
+            .push(format!("{none} recordings have no gloss in a name or a table: their annotations may have some, or write `gloss` where a take is one sign"));
     }
     notes.push("licence and credit are for you to write".to_owned());
     manifest.skeletons = rigs.into_iter().map(|group| group.rig).collect();

@@ -179,7 +179,7 @@ fn tables_of_markers_are_read_or_refused_with_their_place() {
     for i in 0..160 {
         let w = Easing::MinimumJerk.weight((f64::from(i) - 40.0) / 80.0);
         let (x, y) = (250.0 * (1.2 * w).sin(), -300.0 - 250.0 * (1.2 * w).cos());
-        table += &format!("{i}\t{}\t{x}\t{y}\t0\t0\t-300\t0\t0\t0\t0\n", f64::from(i) / 100.0);
+        table += &format!("{i}\t{}\t{x}\t{y}\t9\t0\t-300\t9\t0\t0\t9\n", f64::from(i) / 100.0);
     }
     folder.write("arm.tsv", &table);
     let done = run(&folder.0, &["evaluate", "interpolation", "arm.tsv", "-q"], "");
@@ -192,8 +192,8 @@ fn tables_of_markers_are_read_or_refused_with_their_place() {
         let done = run(&folder.0, &["evaluate", "interpolation", name, "-q"], "");
         assert!(done.code == 1 && done.err.contains(what), "{}", done.err);
     };
-    refused("hole.tsv", &table.replace("\n7\t0.07\t0\t", "\n7\t0.07\t\t"), "line 12, column 3: `` is no number");
-    refused("rate.tsv", &table.replace("FREQUENCY\t100", "FREQUENCY\t0"), "no row FREQUENCY");
+    refused("hole.tsv", &table.replace("\n7\t0.07\t0\t", "\n7\t0.07\tx\t"), "hole.tsv:12:");
+    refused("rate.tsv", &table.replace("FREQUENCY\t100", "FREQUENCY\t0"), "rate.tsv:2:");
     refused("names.tsv", &table.replace("elbow", "knee"), "no marker whose name ends in `elbow`");
     refused(
         "huge.bvh",

@@ -5,6 +5,7 @@
 use crate::moving::wrist_path;
 use crate::signing::{lexicon, sign, tables, world};
 use chereme::body::channel::Channels;
+use chereme::body::retarget::Coverage;
 use chereme::diagnostics::Error;
 use chereme::motion::rotation::angle_between;
 use chereme::motion::skeleton::JointId;
@@ -20,6 +21,9 @@ use chereme::time::{FrameIndex, Seconds};
 use chereme::track::Track;
 use glam::DVec3;
 use std::sync::LazyLock;
+
+/// A body with arms and hands.
+const WHOLE: Coverage = Coverage { body: true, arms: [true; 2], hands: [true; 2] };
 
 struct Shelf {
     takes: Vec<Take>,
@@ -52,7 +56,7 @@ fn performed(text: &str) -> Track {
 
 /// Two takes of one hand, one of two.
 static SHELF: LazyLock<Shelf> = LazyLock::new(|| {
-    let take = |name: &str, text: &str| Take { name: name.into(), track: performed(text) };
+    let take = |name: &str, text: &str| Take { name: name.into(), track: performed(text), covers: WHOLE };
     let takes = vec![
         take(
             "father_1",
@@ -236,5 +240,26 @@ fn captured_hands_and_rest_poses_stand_in_for_made_ones() {
     let frames = made.track.clip.frames();
     for ends in [&frames[0], &frames[frames.len() - 1]] {
         assert!(ends.pose.rotations.iter().zip(&rest.rotations).all(|(a, b)| angle_between(*a, *b) < 1e-6));
+    }
+}
+
+#[test]
+fn a_hand_alone_rides_on_the_signer_as_he_rests() {
+    let world = world();
+    let mut signer = world.signer.clone();
+    let mut rest = signer.neutral(&HandAngles::default());
+    let spine = signer.skeleton.joint("Spine2").unwrap();
+    rest.set(spine, glam::DQuat::from_rotation_x(0.2));
+    signer.resting = Some(rest.clone());
+    let alone = Coverage { hands: [false, true], ..Coverage::default() };
+    let takes = vec![Take { covers: alone, ..SHELF.takes[0].clone() }];
+    let shelf = Shelf { takes, pace: SHELF.pace.clone() };
+    let made =
+        perform(&line("take(father_1)", true).plan, &shelf, &world.grammar, &signer, &Options::default()).unwrap();
+    let right: Vec<JointId> = Channels::of(&signer, Side::Right).limb().collect();
+    for frame in made.track.clip.frames() {
+        for joint in signer.skeleton.ids().filter(|joint| !right.contains(joint)) {
+            assert!(angle_between(frame.pose.rotation(joint), rest.rotation(joint)) < 1e-6);
+        }
     }
 }

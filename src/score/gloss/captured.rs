@@ -4,6 +4,7 @@ use super::Handedness;
 use super::line::Line;
 use crate::notation::gloss::syntax::{Head, Signed};
 use crate::notation::lower::operators;
+use crate::notation::syntax::Operator;
 use crate::phonology::Hand;
 use crate::score::plan::{Captured, CapturedSign};
 
@@ -20,7 +21,14 @@ pub(super) fn of(line: &mut Line, written: &Signed) -> Option<Option<Captured>> 
 fn is_captured(line: &Line, written: &Signed, name: &str) -> bool {
     let captured = &line.lookup.settings.captured;
     let described = || !matches!(line.lookup.sign(name, written.head.span), Ok(None));
-    captured.has(name) && (captured.preferred || !described())
+    // What motion has no description for is said of the description, where there is one.
+    let needs_description = written.operators.value.iter().any(|operator| {
+        matches!(
+            operator,
+            Operator::Orientation(..) | Operator::Placement(..) | Operator::Movement(..) | Operator::NonManual(..)
+        )
+    });
+    captured.has(name) && ((captured.preferred && !needs_description) || !described())
 }
 
 fn changed(line: &mut Line, written: &Signed, what: CapturedSign) -> Option<Captured> {

@@ -119,7 +119,7 @@ impl<'l> Captures<'l> {
         let (clip, begins) = cut(&whole, from, to)?;
         let sides = self.library.coverage(recording);
         let tiers = one_sign(tiers, begins, clip.duration(), span, sides);
-        Ok(Take { name, track: Track { clip, tiers } })
+        Ok(Take { name, track: Track { clip, tiers }, covers: sides })
     }
 }
 

@@ -20,12 +20,16 @@ pub use library::Captures;
 pub use pace::Pace;
 
 use super::{Grammar, Options, Performance, synthesize_plan};
+use crate::body::channel::Channels;
+use crate::body::retarget::Coverage;
 use crate::body::signer::Signer;
 use crate::diagnostics::Error;
 use crate::motion::clip::{Clip, Frame};
-use crate::phonology::Configuration;
+use crate::motion::pose::LocalPose;
+use crate::motion::skeleton::JointId;
 use crate::phonology::handshape::HandAngles;
 use crate::phonology::recombination::Taken;
+use crate::phonology::{Configuration, Side};
 use crate::score::plan::{Act, Captured, CapturedSign, Item, Over, Plan};
 use crate::synthesis::edit::track::Phases;
 use crate::tier::{Tier, TierValue};
@@ -40,6 +44,8 @@ pub struct Take {
     pub name: String,
     /// The motion of our rig, and what was annotated on it; one sign, with phase tiers.
     pub track: Track,
+    /// What of the body was captured: hands alone ride on the signer as he rests.
+    pub covers: Coverage,
 }
 
 /// Where takes come from.
@@ -142,10 +148,12 @@ fn taken(
         }
         CapturedSign::Take(Taken { take, channels }) => (takes.named(take)?, &channels[..]),
     };
-    let mut track = at_rate(&take, signer, options.fps)?;
+    let relaxed = grammar.handshapes.angles(&Configuration::named("rest"), None);
+    let neutral = signer.neutral(&relaxed.map_err(|e| Error::new(e.to_string()))?);
+    let mut track = at_rate(&take, signer, &neutral, options.fps)?;
     for (channel, name) in channels {
         let other = takes.named(name)?;
-        let sampled = Take { track: at_rate(&other, signer, options.fps)?, name: other.name };
+        let sampled = Take { track: at_rate(&other, signer, &neutral, options.fps)?, ..other };
         track = with_channel(&track, &sampled, *channel, signer, options.easing)?;
     }
     let mut warnings = Vec::new();
@@ -155,13 +163,27 @@ fn taken(
 }
 
 /// A take at the frame rate and with the morphs of what is made, its values told to come from it.
-fn at_rate(take: &Take, signer: &Signer, fps: Fps) -> Result<Track, Error> {
+fn at_rate(take: &Take, signer: &Signer, neutral: &LocalPose, fps: Fps) -> Result<Track, Error> {
     let clip = &take.track.clip;
     let count = fps.frame_count(clip.duration());
     super::edit::may_last(count as f64)?;
+    if clip.skeleton().len() != signer.skeleton.len() {
+        return Err(Error::new("the take moves another rig than the signer's"));
+    }
+    let Coverage { body, arms, hands } = take.covers;
+    let sides = [Side::Left, Side::Right].into_iter().filter(|side| arms[*side as usize] || hands[*side as usize]);
+    let limbs: Vec<JointId> = sides.flat_map(|side| Channels::of(signer, side).limb().collect::<Vec<_>>()).collect();
     let frame = |i| {
-        let sampled = clip.sample(fps.time_of(FrameIndex(i)));
-        Frame { pose: sampled.pose, weights: vec![0.0; signer.morphs.len()] }
+        let sampled = clip.sample(fps.time_of(FrameIndex(i))).pose;
+        let pose = match body {
+            true => sampled,
+            false => {
+                let mut pose = neutral.clone();
+                limbs.iter().for_each(|joint| pose.set(*joint, sampled.rotation(*joint)));
+                pose
+            }
+        };
+        Frame { pose, weights: vec![0.0; signer.morphs.len()] }
     };
     let frames = (0..count).map(frame).collect();
     let fits = Clip::new(signer.skeleton.clone(), fps, signer.morphs.clone(), frames);
@@ -189,7 +211,7 @@ fn named(track: &mut Track, gloss: &str, take: &str) -> Result<(), Error> {
     let phases = Phases::of(track)?;
     track.tiers.retain(|tier| !tier.name.ends_with("Gloss"));
     for (at, side) in phases.sides.each().iter().enumerate() {
-        let prefix = if *side == crate::phonology::Side::Right { "RH" } else { "LH" };
+        let prefix = if *side == Side::Right { "RH" } else { "LH" };
         let mut tier = Tier::new(format!("{prefix} Gloss"));
         tier.push(phases.stroke, phases.sign_end, gloss, format!("corpus: {take}"));
         track.tiers.insert(at, tier);

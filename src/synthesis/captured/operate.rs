@@ -160,9 +160,10 @@ fn told(residual_m: f64, at: Seconds, warnings: &mut Vec<String>) {
 }
 
 fn no_description(what: &str) -> Error {
-    Error::new(format!(
-        "a captured sign has no description in which its {what} could be replaced: take it from another take, `take(…, {} …)`, \
-         or sign it by procedure",
-        if what == "orientation" || what == "placement" { what } else { "configuration" }
-    ))
+    let instead = match what {
+        "orientation" => ": take it from another take, `take(…, orientation …)`, or sign it by procedure",
+        "placement" | "movement" => ": take it from another take, `take(…, placement …)`, or sign it by procedure",
+        _ => ": sign it by procedure",
+    };
+    Error::new(format!("a captured sign has no description in which its {what} could be replaced{instead}"))
 }

@@ -10,8 +10,8 @@ const LEAPS: f64 = 0.005;
 const OVER_S: f64 = 0.05;
 /// What no recording covers turns no faster than this, radians a second.
 const UNKNOWN: f64 = 6.0;
-/// Nor does anything turn so slowly that a way would never end.
-const SLOWEST: f64 = 0.5;
+/// Nothing counts as slower than this, radians a second: a trunk that hardly turns in a few clips does not say how fast it could.
+const SLOWEST: f64 = 1.0;
 
 /// The greatest speed of each joint of the rig, radians a second.
 ///
