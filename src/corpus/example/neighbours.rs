@@ -7,8 +7,10 @@
 //! scaling of Zelnik-Manor & Perona (2004), with means as in Schnitzer et al. (2012), "NICDM". The roots of these ratios are added up.
 //! No gloss is looked at until takes are ranked.
 //!
-//! Settings ([`BAND`], [`NEAREST`], the weights, the root, twenty frames) were chosen on the takes 0–2, 6–8, 12–14, 18–20 and 24–26 of each
-//! gloss of the Thai set (three takes in a row are of one session), the other sessions left for the test: see `examples/gloss_by_example.rs`.
+//! Settings ([`BAND`], [`NEAREST`], the weights, the root, twenty frames) were chosen by leave-one-out among the takes 0–2, 6–8, 12–14,
+//! 18–20 and 24–26 of each gloss of the Thai set (three takes in a row are of one session), where 92.6 % of glosses come first and 97.4 %
+//! among the first five; the other sessions, which chose nothing, give 85.4 % and 94.3 % among themselves (one warp over all features
+//! at once: 88.8 % and 95.6 %, 84.4 % and 94.1 %). `examples/gloss_by_example.rs` repeats it.
 
 use super::components::{Components, WEIGHTS};
 use super::warp::whole_by;
@@ -19,6 +21,8 @@ use std::collections::BTreeMap;
 pub const BAND: f64 = 0.25;
 /// How many of a take's nearest tell how far it is from others.
 pub const NEAREST: usize = 5;
+/// Nearest takes are no nearer than this (a root of features' distance): where all takes are alike, rounding must not tell them apart.
+const LEAST_SCALE: f64 = 0.01;
 
 /// A take of a hand (or of both) whose gloss is known.
 #[derive(Debug, Clone, PartialEq)]
@@ -73,12 +77,12 @@ pub fn distances(takes: &[Take]) -> Vec<Vec<f64>> {
     sums
 }
 
-/// How far the nearest are on average; never 0.
+/// How far the nearest are on average, no less than [`LEAST_SCALE`].
 fn scale(row: &[f64]) -> f64 {
     let mut known: Vec<f64> = row.iter().copied().filter(|d| d.is_finite()).collect();
     known.sort_by(f64::total_cmp);
     known.truncate(NEAREST);
-    if known.is_empty() { 1.0 } else { (known.iter().sum::<f64>() / known.len() as f64).max(f64::EPSILON) }
+    if known.is_empty() { 1.0 } else { (known.iter().sum::<f64>() / known.len() as f64).max(LEAST_SCALE) }
 }
 
 /// For each take the glosses of all others, ranked by their nearest take (leave-one-out, one nearest neighbour by [`distances`]).
