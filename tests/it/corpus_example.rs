@@ -274,6 +274,26 @@ proptest! {
 }
 
 #[test]
+fn a_performance_is_told_by_both_hands() {
+    // Right hands alone are nearer to the wrong one; left hands settle it.
+    let hand = |gloss: &str, group: &str, side: Side, v: f32| {
+        // A single frame: rates are 0 without any rounding.
+        let rows = [[v, v, v]];
+        Take { gloss: gloss.into(), group: group.into(), side, ..take(&(0, rows.to_vec()), 0, 1.0) }
+    };
+    let takes = [
+        hand("help", "1", Side::Right, 0.0),
+        hand("help", "1", Side::Left, 4.0),
+        hand("help", "2", Side::Right, 1.0),
+        hand("help", "2", Side::Left, 4.1),
+        hand("like", "3", Side::Right, 0.7),
+        hand("like", "3", Side::Left, -4.0),
+    ];
+    assert_eq!(leave_one_out(&takes)[0].place, Some(1));
+    assert_eq!(leave_one_group_out(&takes)[0].place, Some(0));
+}
+
+#[test]
 fn clips_without_hands_are_refused() {
     let bare = Skeleton::new(vec![chereme::motion::skeleton::Joint {
         name: "Hips".into(),
