@@ -99,7 +99,7 @@ fn query(text: &str) -> Query {
 fn takes() -> Vec<Motion> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../shared/data/mocap/sign_hand_tsl");
     if folder.join("index.tsv").exists() {
-        let takes = gloss_by_example::takes(&folder, &gloss_by_example::options(), |_, number, _| number < 3);
+        let takes = gloss_by_example::recorded(&folder, &gloss_by_example::options(), |_, number, _| number < 3);
         return takes.into_iter().map(|take| take.motion).collect();
     }
     let wave: Vec<f32> = (0..57 * 600).map(|i| ((i / 57) as f32 * 0.02 * (1 + i % 57) as f32).sin()).collect();

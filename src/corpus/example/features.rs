@@ -74,7 +74,11 @@ impl Default for Options {
 }
 
 /// Numbers a frame of one hand: fifteen points, two directions, place and velocity.
-pub const DIMS_A_HAND: usize = 45 + 6 + 3 + 3;
+pub const DIMS_A_HAND: usize = SHAPE_DIMS + DIRECTION_DIMS + 3 + 3;
+/// Numbers of a hand's shape, the first ones.
+pub(super) const SHAPE_DIMS: usize = 45;
+/// Numbers of palm and fingers, the next ones; place and velocity follow.
+pub(super) const DIRECTION_DIMS: usize = 6;
 
 /// The features of a clip's hands, those of one side after those of another.
 ///

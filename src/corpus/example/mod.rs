@@ -1,12 +1,14 @@
 //! Queries by example: where in recorded motion is something like this?
 //!
 //! A motion becomes a row of numbers a frame ([`features`]), the example is warped in time over the recordings ([`warp`]), and the
-//! stretches that are nearest come back, ranked. The same features tell which gloss a take is likely to be ([`neighbours`]).
+//! stretches that are nearest come back, ranked. The same features, each component for
+//! itself ([`components`]), tell which gloss a take is likely to be ([`neighbours`]).
 //!
 //! # Conventions
 //! Distances are those of features: about 1 where hands differ as two handshapes, two orientations or two places do, 0 where nothing
 //! differs; there is no upper end.
 
+pub mod components;
 pub mod features;
 pub mod neighbours;
 pub mod warp;

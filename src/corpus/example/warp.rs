@@ -111,6 +111,18 @@ fn best_ends(ends: &[Cell], length: usize) -> Vec<Stretch> {
 /// assert_eq!(whole(&of(&[0.0, 0.0]), &of(&[1.0, 1.0]), 0.3), 1.0);
 /// ```
 pub fn whole(a: &Motion, b: &Motion, band: f64) -> f64 {
+    whole_by(a, b, band, |distance| distance)
+}
+
+/// As [`whole`], where what it costs to lay a frame on another is a function of their distance (of no less than 0, itself none less).
+///
+/// ```
+/// use chereme::corpus::example::{Motion, warp::whole_by};
+/// use chereme::time::Fps;
+/// let of = |values: &[f32]| Motion::new(Fps::DEFAULT, 1, values).unwrap();
+/// assert_eq!(whole_by(&of(&[0.0, 0.0]), &of(&[4.0, 4.0]), 0.3, f32::sqrt), 2.0);
+/// ```
+pub fn whole_by(a: &Motion, b: &Motion, band: f64, cost: impl Fn(f32) -> f32) -> f64 {
     if a.dims() != b.dims() {
         return f64::INFINITY;
     }
@@ -127,7 +139,7 @@ pub fn whole(a: &Motion, b: &Motion, band: f64) -> f64 {
         let to = ((middle + half).floor() as usize).min(columns - 1);
         now.fill(f32::INFINITY);
         for j in from..=to {
-            let cost = distance(a.padded(i), b.padded(j));
+            let cost = cost(distance(a.padded(i), b.padded(j)));
             let diagonal = if i > 0 && j > 0 { last[j - 1] + 2.0 * cost } else { f32::INFINITY };
             let left = if j > 0 { now[j - 1] + cost } else { f32::INFINITY };
             let best = diagonal.min(left).min(last[j] + cost);
