@@ -101,6 +101,7 @@ fn cache(bytes: Vec<u8>) {
         let again = Cache::from_bytes(writer.finish(cache.index()).expect("memory takes everything"));
         let again = again.unwrap_or_else(|told| panic!("{told}"));
         assert!(again.head() == cache.head() && again.index() == cache.index());
-        assert_eq!(again.entries(), cache.entries());
+        // As text, in which a number that is none is like itself.
+        assert_eq!(format!("{:?}", again.entries()), format!("{:?}", cache.entries()));
     }
 }

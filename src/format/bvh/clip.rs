@@ -55,8 +55,8 @@ pub struct Converted {
 ///
 /// # Errors
 /// No rows; several roots (with [`Roots::One`]); two joints of one name; more joints than a skeleton may have; a frame
-/// time that is no rate up to [`Fps::MAX`]; a unit that is not above 0; what is a million kilometres away; so few channels on so many joints that the clip
-/// would be out of proportion to the file.
+/// time that is no rate up to [`Fps::MAX`]; a unit that is not above 0; joints farther than a million kilometres from
+/// the origin; so few channels on so many joints that the clip would be out of proportion to the file.
 ///
 /// ```
 /// use chereme::format::bvh;
