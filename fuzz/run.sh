@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # Fuzzes one reader: bash fuzz/run.sh TARGET SECONDS [options of libFuzzer]
-# TARGET is sign_text, hamnosys, sigml, table, gloss, bvh, eaf, textgrid, segments or markers. What fails lies in
-# fuzz/found/TARGET afterwards; new inputs that reach new code are kept in fuzz/found/TARGET/corpus, so that the small
-# corpus that we keep stays as it is.
+# TARGET is sign_text, hamnosys, sigml, table, gloss, bvh, eaf, textgrid, segments, markers, corpus_yaml, corpus_query,
+# corpus_cache or glb_rig. What fails lies in fuzz/found/TARGET afterwards; new inputs that reach new code are kept in
+# fuzz/found/TARGET/corpus, so that the small corpus that we keep stays as it is.
 set -euo pipefail
 cd "$(dirname "$0")"
 target=${1:?which target} seconds=${2:?how many seconds}

@@ -273,3 +273,19 @@ fn recordings_inherit_and_tables_list_takes() {
         chereme::corpus::manifest::listing(Source::new("corpus.yaml", text), Path::new("/d"), &files).unwrap();
     assert!(missing.findings[0].diagnostic.message.contains("no file `/d/t/index.tsv`"));
 }
+
+/// What fuzzing found: YAML has no plain keys beyond 1024 letters.
+#[test]
+fn long_keys_are_read_again() {
+    for word in ["a*", "b", "é "] {
+        let long = of(word.repeat(1500).trim().to_owned());
+        let rig = Rig { name: long.clone(), joints: vec![(long.clone(), long.clone())], ..Rig::default() };
+        let manifest = Manifest {
+            skeletons: vec![rig, Rig { name: of("short".to_owned()), ..Rig::default() }],
+            tiers: vec![TierRule { theirs: long.clone(), ours: of("RH Gloss".to_owned()) }],
+            values: vec![ValueRule { component: Component::Movement, theirs: long.clone(), ours: long }],
+            ..Manifest::default()
+        };
+        assert_eq!(read(&manifest.to_yaml()).unwrap(), manifest, "{word}");
+    }
+}

@@ -399,6 +399,9 @@ fn a_clip_says_what_it_cannot_hold() {
     refuse(TWO, &ClipOptions { metres_per_unit: f64::NAN, ..ours }, "unit of length");
     refuse(&TWO.replace("Frame Time: 0.02", "Frame Time: 0.0002"), &ours, "no frame rate");
     refuse(&TWO[..TWO.find("1 2 3 4").unwrap()].replace("Frames: 2", "Frames: 0"), &ours, "no rows");
+    let moved = TWO.replacen("3 Zrotation Xrotation Yrotation", "3 Xposition Yposition Zposition", 1);
+    refuse(&moved.replace("7 8 9", "7 1e12 9"), &ours, "row 1 has its root more than 1000000000 m away");
+    refuse(&TWO.replace("OFFSET 0 2 0", "OFFSET 0 -1e300 0"), &ours, "joint Spine rests more than");
     let roots = TWO.replace("MOTION", "ROOT Prop { OFFSET 0 0 0\nCHANNELS 0 }\nMOTION");
     refuse(&roots, &ours, "several roots (Hips, Prop)");
     let first = bvh::to_clip(&plain(&roots), &ClipOptions { roots: Roots::First, ..ours }).unwrap();

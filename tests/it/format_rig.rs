@@ -117,3 +117,33 @@ fn a_glb_rig_that_is_turned_at_rest_moves_as_ours() {
     let fits = other.skeleton().len() == rig.skeleton().len();
     assert!(fits || rig.write(chereme::avatar::GLB, &other).is_err());
 }
+
+/// A GLB file of its JSON.
+fn glb_of(json: &str) -> Vec<u8> {
+    let json = format!("{json:width$}", width = json.len().next_multiple_of(4));
+    let length = json.len() as u32;
+    [&b"glTF"[..], &2u32.to_le_bytes(), &(length + 20).to_le_bytes(), &length.to_le_bytes(), b"JSON", json.as_bytes()]
+        .concat()
+}
+
+/// What fuzzing found, made small.
+#[test]
+fn rigs_without_buffers_scaled_to_nothing_or_too_far_away_do_no_harm() {
+    let nodes = |scale: &str| {
+        format!(
+            r#""nodes":[{{"name":"a","children":[1],"scale":{scale}}},{{"translation":[1,0,0]}}],"skins":[{{"joints":[0,1]}}]"#
+        )
+    };
+    for (buffers, scale) in [("[]", "[1,1,1]"), ("[0]", "[0,0,0]"), ("{}", "[0,2,1]"), ("[{}]", "[1e-320,1,1]")] {
+        let file = glb_of(&format!(r#"{{"buffers":{buffers},{}}}"#, nodes(scale)));
+        let rig = glb::Rig::read(&file).unwrap();
+        let rest = Frame { pose: LocalPose::rest(rig.skeleton()), weights: vec![] };
+        let clip = Clip::new(rig.skeleton().clone(), Fps::DEFAULT, Default::default(), vec![rest]).unwrap();
+        let written = rig.write(&file, &clip).unwrap();
+        assert_eq!(glb::Rig::read(&written).unwrap().skeleton().joints(), rig.skeleton().joints());
+        let json = u32::from_le_bytes(*written[12..].first_chunk().unwrap()) as usize;
+        let (numbers, _) = written[28 + json..].as_chunks::<4>();
+        assert!(numbers.len() > 11 && numbers.iter().all(|n| f32::from_le_bytes(*n).is_finite()), "{buffers} {scale}");
+    }
+    assert!(glb::Rig::read(&glb_of(&format!("{{{}}}", nodes("[1e300,1,1]")))).is_err());
+}

@@ -16,7 +16,7 @@ use std::sync::Arc;
 const ROUNDED: f64 = 1e-3;
 
 /// The most frames of a clip that never moves: they take no bytes, so the file's size does not bound them.
-const MOST_STILL: u32 = 1_000_000;
+const MOST_STILL: u32 = 100_000;
 
 /// Where a clip's numbers are among the frames of a cache.
 #[derive(Debug, Clone, PartialEq, Default)]

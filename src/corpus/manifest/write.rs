@@ -68,7 +68,7 @@ impl Manifest {
         ]);
         out.line(0, "tiers:");
         for rule in &self.tiers {
-            out.line(2, &format!("{}: {}", scalar(&rule.theirs.value), scalar(&rule.ours.value)));
+            out.entry(2, &rule.theirs.value, &scalar(&rule.ours.value));
         }
     }
 
@@ -85,7 +85,7 @@ impl Manifest {
                 out.line(2, &format!("{}:", component.title()));
             }
             for rule in own {
-                out.line(4, &format!("{}: {}", scalar(&rule.theirs.value), scalar(&rule.ours.value)));
+                out.entry(4, &rule.theirs.value, &scalar(&rule.ours.value));
             }
         }
     }
@@ -122,6 +122,15 @@ impl Out {
         let _ = writeln!(self.0, "{:depth$}{text}", "");
     }
 
+    /// A key that may be any text, and its value. YAML 1.2 (section 7.4.2) lets a key stand before its `:` up to 1024 letters
+    /// of text only; a longer one is written with `?`.
+    fn entry(&mut self, depth: usize, key: &str, value: &str) {
+        const LONGEST: usize = 1000;
+        let key = scalar(key);
+        let before = if key.len() > LONGEST { format!("? {key}\n{:depth$}", "") } else { key };
+        self.line(depth, format!("{before}: {value}").trim_end());
+    }
+
     fn blank(&mut self) {
         self.0.push('\n');
     }
@@ -150,7 +159,7 @@ fn details(out: &mut Out, depth: usize, details: &Details) {
 }
 
 fn rig(out: &mut Out, rig: &Rig) {
-    out.line(2, &format!("{}:", scalar(&rig.name.value)));
+    out.entry(2, &rig.name.value, "");
     if let Some(Unit(metres)) = rig.unit.map(|unit| unit.value) {
         out.line(4, &format!("unit: {}", Unit(metres).name().map_or_else(|| metres.to_string(), str::to_owned)));
     }
@@ -165,7 +174,7 @@ fn rig(out: &mut Out, rig: &Rig) {
     if !rig.joints.is_empty() {
         out.line(4, "joints:");
         for (ours, theirs) in &rig.joints {
-            out.line(6, &format!("{}: {}", scalar(&ours.value), scalar(&theirs.value)));
+            out.entry(6, &ours.value, &scalar(&theirs.value));
         }
     }
 }

@@ -10,6 +10,9 @@ use crate::time::{Fps, Seconds};
 use glam::{DQuat, DVec3};
 use std::sync::Arc;
 
+/// Farther from the origin, metres, nobody signs: sums and squares of such lengths would run out of `f64`.
+const FARTHEST_M: f64 = 1e9;
+
 /// What to do with a file of several roots; a clip has one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Roots {
@@ -52,8 +55,8 @@ pub struct Converted {
 ///
 /// # Errors
 /// No rows; several roots (with [`Roots::One`]); two joints of one name; more joints than a skeleton may have; a frame
-/// time that is no rate up to [`Fps::MAX`]; a unit that is not above 0; so few channels on so many joints that the clip
-/// would be out of proportion to the file.
+/// time that is no rate up to [`Fps::MAX`]; a unit that is not above 0; joints farther than a million kilometres from
+/// the origin; so few channels on so many joints that the clip would be out of proportion to the file.
 ///
 /// ```
 /// use chereme::format::bvh;
@@ -79,10 +82,18 @@ pub fn to_clip(bvh: &Bvh, options: &ClipOptions) -> Result<Converted, Error> {
     let skeleton = skeleton(joints, scale)?;
     let readers = readers(joints);
     let frame = |row: &[f64]| Frame { pose: pose(row, joints, &readers, scale), weights: vec![] };
-    let clip = Clip::new(Arc::new(skeleton), rate, Arc::new(vec![]), bvh.rows().map(frame).collect());
+    let frames: Vec<Frame> = bvh.rows().map(frame).collect();
+    if let Some(at) = frames.iter().position(|frame| !is_near(frame.pose.root_model)) {
+        return Err(Error::new(format!("row {at} has its root more than {FARTHEST_M} m away")));
+    }
+    let clip = Clip::new(Arc::new(skeleton), rate, Arc::new(vec![]), frames);
     let clip = clip.ok_or_else(|| Error::new("the file has no rows, so there is no motion"))?;
     warnings.extend(moved(bvh, joints, &readers, scale));
     Ok(Converted { clip, warnings })
+}
+
+fn is_near(place: DVec3) -> bool {
+    place.abs().max_element() <= FARTHEST_M
 }
 
 /// The first root and all below it: they come first in the file, and so do their channels.
@@ -129,6 +140,9 @@ fn skeleton(joints: &[Joint], scale: f64) -> Result<Skeleton, Error> {
         let above = joint.parent.map_or(DVec3::ZERO, |at| made[at].rest_model);
         let rest_model = above + joint.offset * scale;
         let tail_model = rest_model + joint.end_sites.first().map_or(DVec3::ZERO, |e| *e * scale);
+        if !(is_near(rest_model) && is_near(tail_model)) {
+            return Err(Error::new(format!("joint {} rests more than {FARTHEST_M} m away", joint.name)));
+        }
         made.push(skeleton::Joint { name: joint.name.clone(), parent, rest_model, tail_model });
     }
     tails(joints, &mut made);

@@ -79,6 +79,9 @@ impl Rig {
             let taken = joints.iter().any(|joint: &Joint| joint.name == named);
             let name = if taken { format!("{named} (node {node})") } else { named };
             let rest_model = model.transform_point3(DVec3::ZERO);
+            if !rest_model.as_vec3().is_finite() {
+                return Err(Error::new(format!("joint {name} stands farther away than a GLB file can say")));
+            }
             let parent = parent.map(|p| JointId(p as u16));
             joints.push(Joint { name, parent, rest_model, tail_model: rest_model });
             models.push(model);
@@ -88,7 +91,13 @@ impl Rig {
                 joints[parent.index()].tail_model = joints[at].rest_model;
             }
         }
-        let rest = models.iter().map(|m| m.to_scale_rotation_translation().1).collect();
+        // A joint that is scaled to nothing has no rotation of its own: it is turned as its parent is.
+        let mut rest: Vec<DQuat> = Vec::with_capacity(models.len());
+        for (model, joint) in models.iter().zip(&joints) {
+            let own = model.to_scale_rotation_translation().1;
+            let above = joint.parent.map_or(DQuat::IDENTITY, |parent| rest[parent.index()]);
+            rest.push(if own.is_finite() && own.length() > 0.5 { own.normalize() } else { above });
+        }
         Ok(Rig { skeleton: Arc::new(Skeleton::new(joints)?), nodes: order, rest })
     }
 

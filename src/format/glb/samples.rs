@@ -84,7 +84,8 @@ impl Samples {
         let view = json!({ "buffer": 0, "byteOffset": self.start, "byteLength": self.bin.len() - self.start });
         append(&mut json["bufferViews"], vec![view]);
         append(&mut json["accessors"], self.accessors);
-        if !json["buffers"].is_array() {
+        // A file without numbers may list no buffer, or none that is one.
+        if !json["buffers"][0].is_object() {
             json["buffers"] = json!([{}]);
         }
         json["buffers"][0]["byteLength"] = json!(self.bin.len());
