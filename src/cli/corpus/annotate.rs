@@ -33,6 +33,9 @@ pub(super) struct Annotate {
     opening: Opening,
 }
 
+/// Name, signer, language and tiers of a recording.
+type Annotated = (String, String, String, Vec<Tier>);
+
 impl Annotate {
     pub(super) fn run(&self) -> Result<(), Failure> {
         let is_motion = self.named.path.extension().is_some_and(|e| e.eq_ignore_ascii_case("bvh"));
@@ -66,8 +69,8 @@ impl Annotate {
         Ok(())
     }
 
-    /// Name, signer, language and tiers of a file's motion.
-    fn of_file(&self) -> Result<(String, String, String, Vec<Tier>), Failure> {
+    /// A file's motion, measured.
+    fn of_file(&self) -> Result<Annotated, Failure> {
         let signer = signer()?;
         let path: &Path = &self.named.path;
         let motion = motion_of(path, &signer)?;
@@ -78,7 +81,7 @@ impl Annotate {
         Ok((name, String::new(), String::new(), tiers))
     }
 
-    fn of_corpus(&self) -> Result<Vec<(String, String, String, Vec<Tier>)>, Failure> {
+    fn of_corpus(&self) -> Result<Vec<Annotated>, Failure> {
         let (library, _) = open(&self.named, &self.opening, Loudness::Told)?;
         let language = library.listing().manifest.language.as_ref().map(|l| l.value.clone()).unwrap_or_default();
         if let Some(missing) = self.recording.iter().find(|name| library.find(name).is_none()) {

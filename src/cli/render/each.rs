@@ -50,9 +50,7 @@ pub(super) fn run(
     grammar: &Grammar,
     words: &Words,
     options: &Options,
-    rig: Option<&Theirs>,
-    captured: &Stock,
-    signer: &Signer,
+    (rig, captured, signer): (Option<&Theirs>, &Stock, &Signer),
 ) -> Result<(), Failure> {
     let began = Instant::now();
     let targets = targets(command)?;

@@ -112,7 +112,7 @@ impl Render {
         let library = self.library()?;
         if self.each || self.output.iter().any(|o| o.contains('{')) {
             let captured = captured::Stock::of(library.as_ref(), self.prefer, &mut signer)?;
-            return each::run(self, sources, &grammar, &words, &options, rig.as_ref(), &captured, &signer);
+            return each::run(self, sources, &grammar, &words, &options, (rig.as_ref(), &captured, &signer));
         }
         let outputs = Outputs::of(self, &words.vocabulary, rig.as_ref())?;
         let captured = captured::Stock::of(library.as_ref(), self.prefer, &mut signer)?;
