@@ -117,7 +117,9 @@ fn rigs(skeletons: &[Rig], ours: &[String], place: &dyn Fn(Span) -> Place) -> Ve
 /// Whether a label is a name that is known: its first part, in any case (`chest, touch` is at the chest).
 fn is_known(label: &str, known: &[String]) -> bool {
     let first = first_part(label);
-    known.iter().any(|name| name.eq_ignore_ascii_case(first) || name.eq_ignore_ascii_case(label.trim()))
+    // Places on the other hand, in space and at points are no rows of the inventory, and read all the same.
+    let made = first.starts_with("other ") || first.starts_with("space") || first.starts_with('(');
+    made || known.iter().any(|name| name.eq_ignore_ascii_case(first) || name.eq_ignore_ascii_case(label.trim()))
 }
 
 fn first_part(label: &str) -> &str {

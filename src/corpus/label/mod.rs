@@ -178,7 +178,7 @@ impl Vocabulary {
     /// let rig = Skeleton::from_json(chereme::avatar::SKELETON).unwrap();
     /// let vocabulary = Vocabulary::builtin(&rig, None).unwrap();
     /// let label = vocabulary.read(Component::Placement, "chest left, close");
-    /// assert_eq!(label.terms, ["distance close", "place breast", "side left"]);
+    /// assert_eq!(label.terms, ["distance close", "place chest", "side left"]);
     /// ```
     pub fn builtin(skeleton: &Skeleton, language: Option<&str>) -> Result<Vocabulary, Error> {
         let (handshapes, locations) = (HandshapeInventory::builtin(), LocationInventory::builtin());
