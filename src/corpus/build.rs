@@ -3,14 +3,14 @@
 //! A recording is kept where the program, the rig, all that the manifest says of it and the content of its files are what
 //! they were. That the content is the same is told by size and time, where these can be trusted, else by its hash.
 
-use super::annotate::{self, Annotator, Limb};
+use super::annotate::{self, Annotator};
 use super::cache::disk::OnDisk;
 use super::cache::{Cache, Entry, Frames, Head, Off, SourceFile, hash};
 use super::files::{Files, Finding, Stamp};
 use super::manifest::{Listing, Rig, Take, our_tiers};
 use super::motion::{self, captured};
 use super::tiers::{Window, annotations_of, tiers};
-use crate::body::retarget::{Coverage, Humanoid, Options, Report, retarget};
+use crate::body::retarget::{Humanoid, Options, Report, retarget};
 use crate::body::signer::Signer;
 use crate::diagnostics::Error;
 use crate::motion::pose::LocalPose;
@@ -93,16 +93,6 @@ pub struct Builder<'a> {
 
 /// The places that annotation knows.
 static PLACES: LazyLock<LocationInventory> = LazyLock::new(LocationInventory::builtin);
-
-/// What annotation may look at.
-pub fn limbs(covers: Coverage) -> annotate::Coverage {
-    let limb = |side: Side| match (covers.arms[side as usize], covers.hands[side as usize]) {
-        (true, _) => Limb::Arm,
-        (false, true) => Limb::Hand,
-        (false, false) => Limb::None,
-    };
-    annotate::Coverage { left: limb(Side::Left), right: limb(Side::Right) }
-}
 
 impl<'a> Builder<'a> {
     /// A maker of a corpus's recordings; an old cache of another head is not looked at.
@@ -301,7 +291,7 @@ impl<'a> Builder<'a> {
     fn measured(&self, made: &mut Made) {
         let covers = made.entry.covers;
         let Ok(clip) = made.frames.clip(self.signer, made.entry.fps) else { return };
-        let measured = self.annotator.annotate(&clip, limbs(covers), &annotate::Options::default()).tiers();
+        let measured = self.annotator.annotate(&clip, covers.into(), &annotate::Options::default()).tiers();
         for tier in measured {
             let side = if tier.name.starts_with("LH") { Side::Left } else { Side::Right };
             let fingers = covers.hands[side as usize] || !tier.name.ends_with("Configuration");

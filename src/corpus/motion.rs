@@ -3,7 +3,7 @@
 use super::files::{Finding, Place};
 use super::manifest::{Manifest, Rig, Take};
 use crate::body::retarget::names::{Recognised, recognise};
-use crate::body::retarget::{Axes, Mode, begins_with_t_pose, propose_axes};
+use crate::body::retarget::{Axes, Mode, begins_with_t_pose, propose_axes, stands};
 use crate::diagnostics::{Diagnostic, Source};
 use crate::format::bvh::{self, Bvh, ClipOptions, Roots};
 use crate::motion::clip::{Clip, Frame};
@@ -154,8 +154,8 @@ pub fn captured(bytes: &[u8], take: &Take, manifest: &Manifest, text: &Arc<Sourc
         vec![fault]
     })?;
     let file_duration = whole.duration();
-    let inserted = rig.is_some_and(|rig| rig.skip_frames.value > 0) && begins_with_t_pose(&whole);
-    let stands = if inserted { whole.frames()[0].pose.clone() } else { LocalPose::rest(whole.skeleton()) };
+    let skips = rig.is_some_and(|rig| rig.skip_frames.value > 0);
+    let stands = if skips { stands(&whole) } else { LocalPose::rest(whole.skeleton()) };
     let (clip, begins) = cut(&whole, take, rig, &mut findings).map_err(|fault| vec![fault])?;
     let (size, mode) = (size(&file, &joints, metres), rig.map(|rig| rig.mode.value).unwrap_or_default());
     Ok(Captured { clip, begins, file_duration, size, joints, axes, stands, mode, findings })

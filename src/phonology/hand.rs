@@ -42,6 +42,19 @@ impl Side {
         }
     }
 
+    /// How the names of the hand's tiers begin: `RH`, `LH`.
+    ///
+    /// ```
+    /// use chereme::phonology::Side;
+    /// assert_eq!(format!("{} Gloss", Side::Right.hand()), "RH Gloss");
+    /// ```
+    pub fn hand(self) -> &'static str {
+        match self {
+            Side::Left => "LH",
+            Side::Right => "RH",
+        }
+    }
+
     /// +1 for left, −1 for right: the sign of X on that side.
     pub fn sign(self) -> f64 {
         match self {

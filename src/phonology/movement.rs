@@ -57,6 +57,19 @@ impl Movement {
         }
     }
 
+    /// The place that it ends at, where it says so.
+    pub fn leads_to(&self) -> Option<&Placement> {
+        match self {
+            Movement::Action(action) if action.repetition.is_none() => action.target.as_ref(),
+            Movement::Sequence(parts) => parts.last().and_then(Movement::leads_to),
+            Movement::Action(_)
+            | Movement::Together(_)
+            | Movement::Fused(_)
+            | Movement::Repeated(_)
+            | Movement::Backwards(_) => None,
+        }
+    }
+
     /// Whether one of its actions is such.
     pub fn any_action(&self, is_such: &impl Fn(&Action) -> bool) -> bool {
         match self {

@@ -5,7 +5,7 @@ use super::schedule::Schedule;
 use super::timeline::Timeline;
 use super::{Grammar, side_of};
 use crate::phonology::symmetry::{acts, resolve};
-use crate::phonology::{Channel, Configuration, Hand, Keys, Side, label};
+use crate::phonology::{Channel, Configuration, Hand, Keys, label};
 use crate::score::plan::{Act, Plan};
 use crate::tier::Tier;
 use crate::time::Seconds;
@@ -86,13 +86,6 @@ impl Tiers {
     }
 }
 
-fn prefix(side: Side) -> &'static str {
-    match side {
-        Side::Left => "LH",
-        Side::Right => "RH",
-    }
-}
-
 /// One gloss over all phases of a sign, for each hand that acts in some of them.
 fn gloss(sign: &Prepared, label: &str, prepared: &[Prepared], schedule: &Schedule, tiers: &mut Tiers) {
     let times = schedule.items.get(sign.group.clone()).unwrap_or_default();
@@ -101,7 +94,7 @@ fn gloss(sign: &Prepared, label: &str, prepared: &[Prepared], schedule: &Schedul
         let side = side_of(hand);
         let own = |p: &&Prepared| sign.group.contains(&p.item) && p.hands.iter().any(|h| h.side == side);
         if prepared.iter().any(|p| own(&p)) {
-            tiers.of(&format!("{} Gloss", prefix(side))).push(first.stroke, last.hold_end, label, STATED);
+            tiers.of(&format!("{} Gloss", side.hand())).push(first.stroke, last.hold_end, label, STATED);
         }
     }
 }
@@ -113,7 +106,7 @@ fn of_sign(prepared: &Prepared, timeline: &Timeline, tiers: &mut Tiers) {
         if !acts(sign, hand) || !prepared.hands.iter().any(|p| p.side == side) {
             continue;
         }
-        let prefix = prefix(side);
+        let prefix = side.hand();
         let said = resolve(sign, hand);
         let own = match hand {
             Hand::Strong => &sign.strong,
@@ -160,7 +153,7 @@ fn phases(sign: &Prepared, timeline: &Timeline, way: &str, plan: &Plan, schedule
         (held, retracted.unwrap_or(held), "retraction"),
     ];
     for hand in &sign.hands {
-        let tier = tiers.of(&format!("{} Phase", prefix(hand.side)));
+        let tier = tiers.of(&format!("{} Phase", hand.side.hand()));
         for (start, end, label) in spans {
             if end > start && (label != "stroke" || sign.sign.intervals > 0) {
                 tier.push(Seconds(start), Seconds(end), label, PROCEDURE);

@@ -26,7 +26,7 @@ pub use humanoid::Humanoid;
 pub use inward::retarget;
 pub use outward::to_theirs;
 pub use report::{Part, PartError, Report};
-pub use t_pose::begins_with_t_pose;
+pub use t_pose::{begins_with_t_pose, stands};
 
 use crate::motion::clip::Clip;
 use crate::motion::pose::LocalPose;

@@ -2,6 +2,7 @@
 
 use super::names::recognise;
 use crate::motion::clip::Clip;
+use crate::motion::pose::LocalPose;
 use crate::motion::rotation::angle_between;
 use crate::motion::skeleton::JointId;
 use glam::DVec3;
@@ -10,6 +11,11 @@ use glam::DVec3;
 const LEVEL: f64 = 0.3;
 /// How far some joint turns at least from the inserted pose to the motion, radians, and how many times as far as in the frame after.
 const LEAP: (f64, f64) = (0.35, 4.0);
+
+/// The pose in which a clip's body stands: its first frame where that is a T-pose that a converter put in, else its rest.
+pub fn stands(clip: &Clip) -> LocalPose {
+    if begins_with_t_pose(clip) { clip.frames()[0].pose.clone() } else { LocalPose::rest(clip.skeleton()) }
+}
 
 /// Whether a clip's first frame is a T-pose from which the second leaps: one that a converter put in.
 ///

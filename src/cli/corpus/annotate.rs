@@ -7,7 +7,6 @@ use super::motion::motion_of;
 use super::open::{failed, open, signer};
 use super::{Named, Opening};
 use crate::corpus::annotate::{Annotator, Options};
-use crate::corpus::build::limbs;
 use crate::format::eaf;
 use crate::phonology::{HandshapeInventory, LocationInventory};
 use crate::tier::Tier;
@@ -76,7 +75,7 @@ impl Annotate {
         let motion = motion_of(path, &signer)?;
         let places = LocationInventory::builtin();
         let annotator = Annotator::new(&signer, &HandshapeInventory::builtin(), &places);
-        let tiers = annotator.annotate(&motion.clip, limbs(motion.covers), &Options::default()).tiers();
+        let tiers = annotator.annotate(&motion.clip, motion.covers.into(), &Options::default()).tiers();
         let name = path.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
         Ok((name, String::new(), String::new(), tiers))
     }

@@ -2,12 +2,11 @@
 
 use super::super::{Failure, files, terminal};
 use super::open::failed;
-use crate::body::retarget::{Humanoid, Options, Retargeted, begins_with_t_pose, names, propose_axes, retarget};
+use crate::body::retarget::{Humanoid, Options, Retargeted, begins_with_t_pose, names, propose_axes, retarget, stands};
 use crate::body::signer::Signer;
 use crate::corpus::build::rest_of;
 use crate::corpus::motion::propose_unit;
 use crate::format::bvh;
-use crate::motion::pose::LocalPose;
 use std::path::Path;
 
 /// Reads a file's motion; what is odd about it is told.
@@ -28,9 +27,8 @@ pub(super) fn motion_of(path: &Path, signer: &Signer) -> Result<Retargeted, Fail
     })?;
     let clip = bvh::to_clip(&reading.bvh, &bvh::ClipOptions { metres_per_unit, ..any_unit }).map_err(failed)?.clip;
     let inserted = begins_with_t_pose(&clip);
-    let stands = if inserted { clip.frames()[0].pose.clone() } else { LocalPose::rest(clip.skeleton()) };
     let axes = propose_axes(&clip, &joints);
-    let humanoid = Humanoid::standing(clip.skeleton(), &stands, &joints, axes, signer).map_err(failed)?;
+    let humanoid = Humanoid::standing(clip.skeleton(), &stands(&clip), &joints, axes, signer).map_err(failed)?;
     let options = Options { mode: Default::default(), skip_frames: usize::from(inserted), rest: rest_of(signer) };
     retarget(&clip, &humanoid, signer, &options).map_err(failed)
 }

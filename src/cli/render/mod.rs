@@ -107,8 +107,8 @@ impl Render {
         let grammar = world::grammar(sources)?;
         let words = world::words(&grammar);
         let failed = |e: Error| Failure::Faults(Some(e.to_string()));
-        let rig = self.rig(avatar::signer().map_err(failed)?)?;
         let mut signer = avatar::signer().map_err(failed)?;
+        let rig = self.rig(&signer)?;
         let library = self.library()?;
         if self.each || self.output.iter().any(|o| o.contains('{')) {
             let captured = captured::Stock::of(library.as_ref(), self.prefer, &mut signer)?;
@@ -159,9 +159,9 @@ impl Render {
     }
 
     /// The rig that motion is written for, where it is not the avatar's.
-    fn rig(&self, signer: Signer) -> Result<Option<Theirs>, Failure> {
+    fn rig(&self, signer: &Signer) -> Result<Option<Theirs>, Failure> {
         let Some(path) = &self.rig else { return Ok(None) };
-        let rig = Theirs::read(path, signer, self.quiet)?;
+        let rig = Theirs::read(path, signer.clone(), self.quiet)?;
         let ends = format!(".{}", rig.extension());
         let formats = self.format.iter().any(|format| format.extension() == rig.extension());
         if !formats && !self.output.iter().any(|output| output.to_lowercase().ends_with(&ends)) {

@@ -2,12 +2,11 @@
 
 use super::super::{Failure, files, terminal};
 use crate::body::retarget::names::recognise;
-use crate::body::retarget::{Axes, Humanoid, propose_axes, to_theirs};
+use crate::body::retarget::{Axes, Humanoid, propose_axes, stands, to_theirs};
 use crate::body::signer::Signer;
 use crate::diagnostics::Error;
 use crate::format::{bvh, glb};
 use crate::motion::clip::Clip;
-use crate::motion::pose::LocalPose;
 use std::path::Path;
 
 /// A rig of somebody else's, with its joints found.
@@ -88,15 +87,6 @@ fn of_bvh(path: &Path, bytes: &[u8], signer: &Signer) -> Result<(File, Humanoid)
     let clip = bvh::to_clip(&reading.bvh, &options).map_err(failed)?.clip;
     let joints = recognise(clip.skeleton()).joints;
     let axes = propose_axes(&clip, &joints);
-    let stands = standing(&clip);
-    let humanoid = Humanoid::standing(clip.skeleton(), &stands, &joints, axes, signer).map_err(failed)?;
+    let humanoid = Humanoid::standing(clip.skeleton(), &stands(&clip), &joints, axes, signer).map_err(failed)?;
     Ok((File::Bvh { file: reading.bvh, metres_per_unit }, humanoid))
-}
-
-/// The pose in which the rig stands: its first frame where that is a T-pose put in before the motion, else its rest.
-fn standing(clip: &Clip) -> LocalPose {
-    match crate::body::retarget::begins_with_t_pose(clip) {
-        true => clip.frames()[0].pose.clone(),
-        false => LocalPose::rest(clip.skeleton()),
-    }
 }

@@ -117,7 +117,7 @@ impl Annotation {
     pub fn tiers(&self) -> Vec<Tier> {
         let mut tiers = Vec::new();
         for hand in &self.hands {
-            let name = |kind: &str| format!("{} {kind}", if hand.side == Side::Right { "RH" } else { "LH" });
+            let name = |kind: &str| format!("{} {kind}", hand.side.hand());
             tiers.push(tier(name("Phase"), &hand.phases, |phase| phase.name().to_owned()));
             tiers.push(tier(name("Configuration"), &hand.configuration, |shape| shape.id.clone()));
             tiers.push(tier(name("Placement"), &hand.placement, |placed| {

@@ -25,6 +25,7 @@ mod shape;
 mod signals;
 
 use crate::body::measure::{HandForm, HandForms};
+use crate::body::retarget;
 use crate::body::signer::Signer;
 use crate::motion::clip::Clip;
 use crate::motion::pose::ModelPose;
@@ -67,6 +68,18 @@ impl Coverage {
             Side::Left => self.left,
             Side::Right => self.right,
         }
+    }
+}
+
+impl From<retarget::Coverage> for Coverage {
+    /// What annotation may look at of a recording.
+    fn from(covers: retarget::Coverage) -> Coverage {
+        let limb = |side: Side| match (covers.arms[side as usize], covers.hands[side as usize]) {
+            (true, _) => Limb::Arm,
+            (false, true) => Limb::Hand,
+            (false, false) => Limb::None,
+        };
+        Coverage { left: limb(Side::Left), right: limb(Side::Right) }
     }
 }
 

@@ -75,7 +75,7 @@ impl Judge<'_> {
         if part.phase.relocated.is_some() {
             return None;
         }
-        let led = || key.checked_sub(1).and_then(|i| part.said.movement.get(i)).and_then(leads_to);
+        let led = || key.checked_sub(1).and_then(|i| part.said.movement.get(i)).and_then(Movement::leads_to);
         let placement = part.said.placement.stated(key).or_else(led)?.clone();
         if matches!(placement.place, Place::Referent(_) | Place::Towards(_)) {
             return None;
@@ -200,17 +200,4 @@ impl Judge<'_> {
 fn on_other(placed: &Placed) -> Option<Placement> {
     let met = placed.meeting?;
     Some(Placement { distance: met.distance, ..Placement::at(Place::OtherHand(met.other)) })
-}
-
-/// The place that a movement ends at, where it says so.
-pub(super) fn leads_to(movement: &Movement) -> Option<&Placement> {
-    match movement {
-        Movement::Action(action) if action.repetition.is_none() => action.target.as_ref(),
-        Movement::Sequence(parts) => parts.last().and_then(leads_to),
-        Movement::Action(_)
-        | Movement::Together(_)
-        | Movement::Fused(_)
-        | Movement::Repeated(_)
-        | Movement::Backwards(_) => None,
-    }
 }

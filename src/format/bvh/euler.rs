@@ -36,6 +36,12 @@ pub(super) fn zxy(q: DQuat, before: [f64; 3]) -> [f64; 3] {
     let b = FRAC_PI_2 - 2.0 * size_minus.atan2(size_plus);
     let a = half_sum + half_difference;
     let c = half_sum - half_difference;
+    nearest([a, b, c], before)
+}
+
+/// Of the two triples of angles about three different axes that make one rotation, each with any whole turns, the one nearest to
+/// another; the middle angle is the second.
+pub(super) fn nearest([a, b, c]: [f64; 3], before: [f64; 3]) -> [f64; 3] {
     let one = [near(a, before[0]), near(b, before[1]), near(c, before[2])];
     let other = [near(a + PI, before[0]), near(PI - b, before[1]), near(c + PI, before[2])];
     let way = |angles: &[f64; 3]| angles.iter().zip(before).map(|(x, y)| (x - y).powi(2)).sum::<f64>();
@@ -44,6 +50,6 @@ pub(super) fn zxy(q: DQuat, before: [f64; 3]) -> [f64; 3] {
 }
 
 /// The angle plus the whole turns that bring it nearest to another.
-fn near(angle: f64, other: f64) -> f64 {
+pub(super) fn near(angle: f64, other: f64) -> f64 {
     angle - TAU * ((angle - other) / TAU).round()
 }

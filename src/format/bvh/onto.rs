@@ -1,13 +1,12 @@
 //! A motion in another file's own hierarchy: its offsets, its channels in their order, its unit.
 
 use super::data::{Axis, Bvh, Channel};
-use super::euler::about;
+use super::euler::{about, near, nearest};
 use crate::diagnostics::Error;
 use crate::motion::clip::Clip;
 use crate::motion::rotation::unit;
 use crate::time::Seconds;
 use glam::{DMat3, DQuat, DVec3};
-use std::f64::consts::{PI, TAU};
 
 /// The rows of a clip for a file's joints: the clip's skeleton is that of [`to_clip`](super::to_clip) of the file.
 ///
@@ -94,12 +93,5 @@ fn three(q: DQuat, [a, b, c]: [DVec3; 3], before: [f64; 3]) -> [f64; 3] {
         // Locked: the last angle stays, the first takes all.
         ((sign * entry(c, b)).atan2(entry(b, b)) - sine.signum() * sign * before[2], before[2])
     };
-    let one = [near(first, before[0]), near(middle, before[1]), near(last, before[2])];
-    let other = [near(first + PI, before[0]), near(PI - middle, before[1]), near(last + PI, before[2])];
-    let way = |angles: &[f64; 3]| angles.iter().zip(before).map(|(x, y)| (x - y).powi(2)).sum::<f64>();
-    if way(&other) + 1e-9 < way(&one) { other } else { one }
-}
-
-fn near(angle: f64, other: f64) -> f64 {
-    angle - TAU * ((angle - other) / TAU).round()
+    nearest([first, middle, last], before)
 }

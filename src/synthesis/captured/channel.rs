@@ -158,7 +158,7 @@ fn tiers(
     };
     let mut tiers = base.tiers.clone();
     for side in sides {
-        let prefix = if *side == Side::Right { "RH" } else { "LH" };
+        let prefix = side.hand();
         for kind in kinds {
             let name = format!("{prefix} {kind}");
             let mut made = Tier::new(name.clone());

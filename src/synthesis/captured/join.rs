@@ -167,7 +167,7 @@ impl Line<'_> {
     fn phase(&mut self, label: &str, start: Seconds, sides: Sides) {
         let end = self.now();
         for side in sides.each() {
-            let prefix = if *side == Side::Right { "RH" } else { "LH" };
+            let prefix = side.hand();
             self.tier(&format!("{prefix} Phase")).push(start, end, label, "procedure");
         }
     }

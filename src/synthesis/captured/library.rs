@@ -128,7 +128,7 @@ impl Takes for Captures<'_> {
     fn of_gloss(&self, gloss: &str) -> Result<Option<Take>, Error> {
         let known = self.index.glosses().iter().find(|known| fold(known) == fold(gloss));
         let Some(known) = known else { return Ok(None) };
-        let mut all = self.find(&format!("gloss={}", quoted(known)), usize::MAX >> 1);
+        let mut all = self.find(&format!("gloss={}", quoted(known)), self.index.len());
         all.sort_by(|a, b| {
             let lengths = a.duration().0.total_cmp(&b.duration().0);
             lengths.then(a.recording.cmp(&b.recording)).then(a.start.0.total_cmp(&b.start.0))
@@ -258,7 +258,7 @@ fn one_sign(
         }
     }
     for side in [Side::Right, Side::Left] {
-        let prefix = if side == Side::Right { "RH" } else { "LH" };
+        let prefix = side.hand();
         let name = format!("{prefix} Phase");
         let glossed = made.iter().any(|tier| tier.name == format!("{prefix} Gloss"));
         let acts = covers.arms[side as usize] || covers.hands[side as usize];

@@ -211,7 +211,7 @@ fn named(track: &mut Track, gloss: &str, take: &str) -> Result<(), Error> {
     let phases = Phases::of(track)?;
     track.tiers.retain(|tier| !tier.name.ends_with("Gloss"));
     for (at, side) in phases.sides.each().iter().enumerate() {
-        let prefix = if *side == Side::Right { "RH" } else { "LH" };
+        let prefix = side.hand();
         let mut tier = Tier::new(format!("{prefix} Gloss"));
         tier.push(phases.stroke, phases.sign_end, gloss, format!("corpus: {take}"));
         track.tiers.insert(at, tier);

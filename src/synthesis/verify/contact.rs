@@ -165,21 +165,9 @@ impl Checking<'_> {
 
 /// Where the hand is at a key: as the key says, else as the movement that ends there does.
 fn placement<'k>(key: &'k Key) -> Option<&'k Placement> {
-    let led = || key.number.checked_sub(1).and_then(|interval| key.said.movement.get(interval)).and_then(leads_to);
+    let led =
+        || key.number.checked_sub(1).and_then(|interval| key.said.movement.get(interval)).and_then(Movement::leads_to);
     key.said.placement.stated(key.number).or_else(led)
-}
-
-/// The place that a movement ends at, where it says so.
-fn leads_to(movement: &Movement) -> Option<&Placement> {
-    match movement {
-        Movement::Action(action) if action.repetition.is_none() => action.target.as_ref(),
-        Movement::Sequence(parts) => parts.last().and_then(leads_to),
-        Movement::Action(_)
-        | Movement::Together(_)
-        | Movement::Fused(_)
-        | Movement::Repeated(_)
-        | Movement::Backwards(_) => None,
-    }
 }
 
 fn name_of(place: &Place) -> String {

@@ -1,6 +1,6 @@
 //! One arm for the other, with the tiers of the hands.
 
-use super::{about, marked, prefix, remapped, side_of};
+use super::{about, marked, remapped, side_of};
 use crate::body::reflection::exchange_words;
 use crate::body::signer::Signer;
 use crate::diagnostics::Error;
@@ -68,7 +68,7 @@ fn seen(tier: &Tier, side: Side, done: &str) -> Tier {
         let label = if whole { v.label.clone() } else { in_mirror(&v.label) };
         TierValue { label, ..marked(v, done) }
     });
-    remapped(tier, format!("{} {}", prefix(side), about(tier)), values)
+    remapped(tier, format!("{} {}", side.hand(), about(tier)), values)
 }
 
 /// A label with its left and right exchanged, and the X of a place in metres.

@@ -1,6 +1,6 @@
 //! Another configuration and another place for the sign of a track, with the tier that names it.
 
-use super::{Phases, about, marked, prefix, remapped, side_of};
+use super::{Phases, about, marked, remapped, side_of};
 use crate::body::signer::Signer;
 use crate::diagnostics::Error;
 use crate::motion::easing::Easing;
@@ -30,7 +30,7 @@ pub fn with_configuration(
     let mut made = track.clone();
     for &side in sides.each() {
         made.clip = edit::with_configuration(&made.clip, signer, side, angles, &extent)?;
-        let mut tier = Tier::new(format!("{} Configuration", prefix(side)));
+        let mut tier = Tier::new(format!("{} Configuration", side.hand()));
         tier.push(phases.stroke, phases.sign_end, name, "configuration replaced");
         replace(&mut made.tiers, tier, side);
     }

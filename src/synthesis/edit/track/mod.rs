@@ -65,7 +65,7 @@ impl Phases {
     /// assert_eq!((phases.stroke, phases.sign_end), (made.report.stroke_start, made.report.sign_end));
     /// ```
     pub fn of(track: &Track) -> Result<Phases, Error> {
-        let tier = |side| track.tier(&format!("{} Phase", prefix(side)));
+        let tier = |side: Side| track.tier(&format!("{} Phase", side.hand()));
         let sides = match (tier(Side::Right), tier(Side::Left)) {
             (Some(_), Some(_)) => Sides::Both,
             (Some(_), None) => Sides::Right,
@@ -73,7 +73,7 @@ impl Phases {
             (None, None) => return Err(Error::new("the track has no phase tier that tells stroke from transition")),
         };
         let values = || sides.each().iter().filter_map(|s| tier(*s)).flat_map(|t| t.values());
-        let glosses = |side| track.tier(&format!("{} Gloss", prefix(side))).map_or(0, |t| t.values().len());
+        let glosses = |side: Side| track.tier(&format!("{} Gloss", side.hand())).map_or(0, |t| t.values().len());
         if sides.each().iter().any(|s| glosses(*s) > 1) {
             return Err(Error::new("the track has several signs: edit them one by one"));
         }
@@ -106,17 +106,9 @@ impl Phases {
     }
 }
 
-/// How the tiers of a side's hand begin.
-fn prefix(side: Side) -> &'static str {
-    match side {
-        Side::Left => "LH",
-        Side::Right => "RH",
-    }
-}
-
 /// The side whose hand a tier belongs to.
 fn side_of(tier: &Tier) -> Option<Side> {
-    [Side::Right, Side::Left].into_iter().find(|side| tier.name.starts_with(&format!("{} ", prefix(*side))))
+    [Side::Right, Side::Left].into_iter().find(|side| tier.name.starts_with(&format!("{} ", side.hand())))
 }
 
 /// What a tier of a hand is about, such as `Phase`; the whole name for a tier of no hand.
