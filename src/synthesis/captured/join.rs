@@ -5,12 +5,10 @@ use crate::body::signer::Signer;
 use crate::diagnostics::Error;
 use crate::motion::clip::Frame;
 use crate::motion::easing::Easing;
-use crate::motion::pose::LocalPose;
 use crate::motion::rotation::angle_between;
-use crate::motion::short_arc::ShortArc;
 use crate::phonology::{Configuration, Side};
 use crate::synthesis::edit::track::Phases;
-use crate::synthesis::edit::{self, Sides};
+use crate::synthesis::edit::{self, Sides, Way};
 use crate::synthesis::report::Report;
 use crate::synthesis::{Grammar, Options};
 use crate::tier::Tier;
@@ -155,10 +153,8 @@ impl Line<'_> {
         let count = (seconds * self.options.fps.get()).ceil().max(1.0) as usize;
         edit::may_last((self.frames.len() + count) as f64)?;
         let start = self.now();
-        let arcs: Vec<ShortArc> = arcs(&from.pose, &to.pose);
-        for i in 1..count {
-            self.frames.push(between(&from, to, &arcs, easing, i as f64 / count as f64));
-        }
+        let way = Way::new(&from, to, easing);
+        self.frames.extend((1..count).map(|i| way.at(i as f64 / count as f64)));
         self.frames.push(to.clone());
         self.phase(label, start, sides);
         Ok(())
@@ -214,21 +210,6 @@ impl Line<'_> {
     }
 }
 
-fn arcs(from: &LocalPose, to: &LocalPose) -> Vec<ShortArc> {
-    from.rotations.iter().zip(&to.rotations).map(|(a, b)| ShortArc::new(*a, *b)).collect()
-}
-
-fn between(from: &Frame, to: &Frame, arcs: &[ShortArc], easing: Easing, share: f64) -> Frame {
-    let weight = easing.weight(share);
-    Frame {
-        pose: LocalPose {
-            root_model: from.pose.root_model.lerp(to.pose.root_model, weight),
-            rotations: arcs.iter().map(|arc| arc.eased(easing, weight)).collect(),
-        },
-        weights: from.weights.iter().zip(&to.weights).map(|(p, q)| p + (q - p) * weight as f32).collect(),
-    }
-}
-
 /// How long the way from one frame to another takes at least, seconds: no joint turns faster than the pace, and no wrist is faster
 /// than signers' are.
 pub fn least_way(from: &Frame, to: &Frame, pace: &Pace, signer: &Signer, easing: Easing) -> f64 {
@@ -240,9 +221,9 @@ pub fn least_way(from: &Frame, to: &Frame, pace: &Pace, signer: &Signer, easing:
     });
     let moved = from.pose.root_model.distance(to.pose.root_model) * steepest / ROOT_SPEED;
     // The wrist's way is curved; it is measured on a few frames of it.
-    let arcs = arcs(&from.pose, &to.pose);
+    let way = Way::new(from, to, easing);
     let wrists = |i: u32| {
-        let model = between(from, to, &arcs, easing, f64::from(i) / f64::from(STEPS)).pose.to_model(&signer.skeleton);
+        let model = way.at(f64::from(i) / f64::from(STEPS)).pose.to_model(&signer.skeleton);
         [Side::Left, Side::Right].map(|side| model.position(signer.arm(side).hand))
     };
     let places: Vec<_> = (0..=STEPS).map(wrists).collect();

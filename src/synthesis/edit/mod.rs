@@ -23,6 +23,7 @@ mod repeat;
 mod size;
 mod speed;
 pub mod track;
+mod way;
 mod wrists;
 
 pub use configuration::with_configuration;
@@ -34,6 +35,7 @@ pub use relocate::{Relocation, mean_place, relocated, relocated_to};
 pub use repeat::{Repetition, repeated};
 pub use size::{About, Scaling, sized};
 pub use speed::at_speed;
+pub(super) use way::Way;
 pub(super) use wrists::turn_hand;
 pub use wrists::{HandKept, Moved, Sides};
 

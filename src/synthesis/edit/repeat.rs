@@ -6,14 +6,12 @@
 
 use super::size::{About, Scaling, sized};
 use super::wrists::Sides;
-use super::{Extent, continue_signs, fits, may_last, remade};
+use super::{Extent, Way, continue_signs, fits, may_last, remade};
 use crate::body::signer::Signer;
 use crate::diagnostics::Error;
 use crate::motion::clip::{Clip, Frame};
 use crate::motion::easing::Easing;
-use crate::motion::pose::LocalPose;
 use crate::motion::rotation::angle_between;
-use crate::motion::short_arc::ShortArc;
 use crate::time::Seconds;
 
 /// How a clip is repeated.
@@ -89,22 +87,9 @@ fn gap_frames(clip: &Clip, end: &Frame, start: &Frame, how: &Repetition) -> usiz
 /// Appends a performance after an eased way of so many frames.
 fn join(frames: &mut Vec<Frame>, next: &[Frame], gap: usize, easing: Easing) {
     let (Some(end), Some(start)) = (frames.last().cloned(), next.first()) else { return };
-    for i in 1..gap {
-        frames.push(between(&end, start, easing, i as f64 / gap as f64));
-    }
+    let way = Way::new(&end, start, easing);
+    frames.extend((1..gap).map(|i| way.at(i as f64 / gap as f64)));
     frames.extend_from_slice(if gap == 0 { &next[1..] } else { next });
-}
-
-/// A frame on the eased way between two others, at a share of its time.
-fn between(from: &Frame, to: &Frame, easing: Easing, share: f64) -> Frame {
-    let weight = easing.weight(share);
-    let (a, b) = (&from.pose, &to.pose);
-    let rotations =
-        a.rotations.iter().zip(&b.rotations).map(|(p, q)| ShortArc::new(*p, *q).eased(easing, weight)).collect();
-    Frame {
-        pose: LocalPose { root_model: a.root_model.lerp(b.root_model, weight), rotations },
-        weights: from.weights.iter().zip(&to.weights).map(|(p, q)| p + (q - p) * weight as f32).collect(),
-    }
 }
 
 /// The performance number `n`, from 0; `None` where it is the clip.
